@@ -1,0 +1,14 @@
+/* Monotonic wall time in seconds, for durations only. */
+#ifndef RL_BASE_CLOCK_H
+#define RL_BASE_CLOCK_H
+
+#include <time.h>
+
+static inline double rl_clock_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+#endif

@@ -1,0 +1,68 @@
+/* The GPU pipeline: a context on one of the backends, and a scene prepared on it according to a plan.
+ *
+ *     rl_gpu_open(&gpu, "auto", &error);
+ *     rl_gpu_scene_make(&gs, gpu, &scene, &plan, &error);
+ *     rl_gpu_scene_frame(gs, &seconds, &error);              one whole frame, finished
+ *     rl_gpu_scene_read(gs, &image, &error);
+ *     rl_gpu_scene_free(gs); rl_gpu_close(gpu);
+ *
+ * The GL libraries are loaded by rl_gpu_open with dlopen, not before. A context is current in the thread that opened it; use
+ * it from there only. Several scenes may live on one context and be drawn in turn (interleaved timing).
+ */
+#ifndef RL_GPU_GPU_H
+#define RL_GPU_GPU_H
+
+#include <stddef.h>
+
+#include "base/error.h"
+#include "image/image.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+
+struct rl_gpu;
+struct rl_gpu_scene;
+
+struct rl_gpu_info {
+    const char *backend; /* "osmesa", "egl-surfaceless", "egl-device" */
+    char renderer[128], vendor[128], version[128], glsl[64];
+};
+
+/* `backend`: "auto" (osmesa, then egl-surfaceless, then egl-device), "osmesa", "egl" (surfaceless, then device),
+ * "egl-surfaceless" or "egl-device". RL_ERR_INPUT: no such name. RL_ERR_UNAVAILABLE: each rejected one and why. Needs GL 4.5
+ * core. GALLIUM_DRIVER is checked first: an unknown value would end the process. */
+int rl_gpu_open(struct rl_gpu **gpu, const char *backend, struct rl_error *error);
+void rl_gpu_close(struct rl_gpu *gpu);
+const struct rl_gpu_info *rl_gpu_describe(const struct rl_gpu *gpu);
+
+/* The names rl_gpu_open tries one by one; for `info`, which opens each. */
+extern const char *const rl_gpu_backends[];
+extern const size_t rl_n_gpu_backends;
+
+/* What the GL layer counted since the scene was made or rl_gpu_scene_reset_counters. */
+struct rl_gpu_counters {
+    size_t draws, triangles, programs, textures, bytes_uploaded;
+};
+
+/* Compiles the plan's programs, uploads meshes, bakes and uploads normal maps and patterns, allocates the environment maps and
+ * renders them once. A shader error names module and line. `scene` and `plan` must outlive it. */
+int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struct rl_scene *scene,
+                      const struct rl_plan *plan, struct rl_error *error);
+void rl_gpu_scene_free(struct rl_gpu_scene *gs);
+
+/* Draws one frame (surface, sphere and highlight passes) into the scene's frame buffer and waits until it is finished; *seconds
+ * is its wall time. The environment maps are not drawn again: */
+int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
+/* Draws every environment map again, waits; for lights or objects that move. */
+int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
+
+/* The last frame as R, G, B, A float. Allocates `image`. */
+int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);
+
+/* One environment map, six faces of size x size side by side in GL's order (+x -x +y -y +z -z), radiance RGB. For tests and
+ * pictures. RL_ERR_INPUT if the object has none. */
+int rl_gpu_scene_read_environment(struct rl_gpu_scene *gs, size_t object, struct rl_image *image, struct rl_error *error);
+
+struct rl_gpu_counters rl_gpu_scene_counters(const struct rl_gpu_scene *gs);
+void rl_gpu_scene_reset_counters(struct rl_gpu_scene *gs);
+
+#endif

@@ -1,0 +1,68 @@
+/* Images in memory: 32-bit float, interleaved channels, row 0 at the top, linear light; and their files through OpenImageIO.
+ *
+ * OpenImageIO is loaded when the first image is read or written (rl_image_read, rl_image_write), never before: it takes 170 ms.
+ *
+ *     struct rl_image image = {0};
+ *     rl_image_allocate(&image, 640, 480, 4, &error);           channels R, G, B, A
+ *     rl_image_pixel(&image, x, y)[0] = 1.0f;
+ *     rl_image_set_string(&image, "roughlight:scene", "teapot-star.yaml", &error);
+ *     rl_image_write(&image, "out.exr", &report, &error);
+ *     rl_image_clear(&image);
+ */
+#ifndef RL_IMAGE_IMAGE_H
+#define RL_IMAGE_IMAGE_H
+
+#include <stddef.h>
+
+#include "base/error.h"
+
+enum { RL_IMAGE_CHANNELS_MAX = 16, RL_IMAGE_ATTRIBUTES_MAX = 64 };
+
+struct rl_attribute {
+    char name[64];
+    char *string; /* owned; NULL: a number */
+    double number;
+};
+
+struct rl_image {
+    int width, height, channels;
+    char channel_name[RL_IMAGE_CHANNELS_MAX][32];
+    float *data; /* [height][width][channels] */
+    size_t n_attributes;
+    struct rl_attribute attribute[RL_IMAGE_ATTRIBUTES_MAX];
+};
+
+/* What writing could not carry over; never silent: the caller reports it. */
+struct rl_write_report {
+    size_t clipped;   /* colour values outside [0, 1] in a file of integers */
+    size_t nonfinite; /* NaN or infinite values found; such an image is refused */
+};
+
+/* All zero. 1 channel: Y; 3: R, G, B; 4: R, G, B, A; others: C0, C1, ... */
+int rl_image_allocate(struct rl_image *image, int width, int height, int channels, struct rl_error *error);
+void rl_image_clear(struct rl_image *image);
+
+static inline float *rl_image_pixel(const struct rl_image *image, int x, int y)
+{
+    return image->data + ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channels;
+}
+
+/* Sets or replaces an attribute; RL_ERR_SYSTEM when the table is full. */
+int rl_image_set_string(struct rl_image *image, const char *name, const char *value, struct rl_error *error);
+int rl_image_set_number(struct rl_image *image, const char *name, double value, struct rl_error *error);
+/* NULL if absent. */
+const struct rl_attribute *rl_image_attribute(const struct rl_image *image, const char *name);
+
+/* Reads any format OpenImageIO knows, to linear float (integer formats tagged sRGB or untagged are decoded from sRGB, alpha
+ * is not). Non-finite values are kept: they are for the caller to count. */
+int rl_image_read(struct rl_image *image, const char *path, struct rl_error *error);
+
+/* Writes .exr (32-bit float, ZIP) or .png (8-bit sRGB, alpha linear and unassociated) atomically; other endings are an error
+ * that lists these two. An image with a NaN or infinite value is refused (RL_ERR_CHECK) with the count and the first pixel's
+ * place. Files of equal images are equal: no date but the attributes given. */
+int rl_image_write(const struct rl_image *image, const char *path, struct rl_write_report *report, struct rl_error *error);
+
+/* OpenImageIO's version, or the reason why it cannot be loaded. */
+int rl_image_library(char version[64], struct rl_error *error);
+
+#endif

@@ -1,0 +1,111 @@
+/* The ellipsoid distribution (see ellipsoid.h for the formulas and how they are kept accurate). */
+#include "model/ellipsoid.h"
+
+#include <math.h>
+
+#include "model/vec3.h"
+
+bool rl_ellipsoid_valid(double rr)
+{
+    return rr >= RL_RR_MIN && rr <= RL_RR_MAX;
+}
+
+struct rl_ellipsoid rl_ellipsoid_make(double rr)
+{
+    struct rl_ellipsoid e = {.rr = rr};
+    e.k = sqrt(fabs(rr - 1.0) * (rr + 1.0));
+    if (e.k == 0.0) {
+        e.norm = 0.5;
+        return e;
+    }
+    /* atanh(h) = log((1 + h)/R) because (1 - h)(1 + h) = R^2; atanh itself loses digits once h rounds to 1. */
+    if (rr >= 1.0)
+        e.half_range = atan(e.k);
+    else
+        e.half_range = rr > 0.5 ? atanh(e.k) : log((1.0 + e.k) / rr);
+    e.norm = e.k / (2.0 * e.half_range);
+    return e;
+}
+
+double rl_ellipsoid_pdf_sincos(const struct rl_ellipsoid *e, double sin_delta, double cos_delta)
+{
+    double rs = e->rr * sin_delta;
+    return e->norm * cos_delta / (cos_delta * cos_delta + rs * rs);
+}
+
+double rl_ellipsoid_pdf(const struct rl_ellipsoid *e, double delta)
+{
+    return rl_ellipsoid_pdf_sincos(e, sin(delta), cos(delta));
+}
+
+/* U for sin_delta <= 0, from s = |sin delta| and t = 1 - s. */
+static double lower_cdf(const struct rl_ellipsoid *e, double s, double t)
+{
+    if (e->k == 0.0)
+        return 0.5 * t;
+    double kk = e->k * e->k;
+    if (e->rr >= 1.0)
+        return atan(e->k * t / (1.0 + kk * s)) / (2.0 * e->half_range);
+    /* atanh(k) - atanh(k s) = atanh(k t/d), d = 1 - k^2 s = t + R^2 s; atanh(x/d) = log1p(2x/(d - x))/2, where
+     * d - x = t (1 - k) + R^2 s and 1 - k = R^2/(1 + k): sums of positive terms only. */
+    double r2 = e->rr * e->rr;
+    double below = t * r2 / (1.0 + e->k) + r2 * s;
+    double x = e->k * t;
+    return 0.5 * log1p(2.0 * x / below) / (2.0 * e->half_range);
+}
+
+double rl_ellipsoid_cdf_sincos(const struct rl_ellipsoid *e, double sin_delta, double cos_delta)
+{
+    double s = fabs(sin_delta);
+    double t = s > 0.5 ? cos_delta * cos_delta / (1.0 + s) : 1.0 - s;
+    double lower = lower_cdf(e, s, t);
+    return sin_delta <= 0.0 ? lower : 1.0 - lower;
+}
+
+double rl_ellipsoid_cdf(const struct rl_ellipsoid *e, double delta)
+{
+    return rl_ellipsoid_cdf_sincos(e, sin(delta), cos(delta));
+}
+
+/* s = sin|delta| and t = 1 - s for the tail probability u in [0, 1/2]. */
+static void upper_sine(const struct rl_ellipsoid *e, double u, double *s, double *t)
+{
+    double k = e->k;
+    if (k == 0.0) {
+        *t = 2.0 * u;
+        *s = 1.0 - *t;
+        return;
+    }
+    double x = 2.0 * u * e->half_range;
+    if (u > 0.25) { /* near delta = 0: the plain form, relative to s */
+        double angle = e->half_range * (1.0 - 2.0 * u);
+        *s = (e->rr >= 1.0 ? tan(angle) : tanh(angle)) / k;
+        *t = 1.0 - *s;
+    } else if (e->rr >= 1.0) {
+        double tangent = tan(x);
+        *t = tangent * (k + 1.0 / k) / (1.0 + k * tangent);
+        *s = 1.0 - *t;
+    } else {
+        /* tanh(A - x)/k with tanh A = k: s = (1 - tanh(x)/k)/(1 - k tanh x), t = tanh(x) (R^2/k)/(1 - k tanh x). */
+        double tangent = tanh(x);
+        double d = 1.0 - k * tangent;
+        *t = tangent * (e->rr * e->rr / k) / d;
+        *s = (1.0 - tangent / k) / d;
+    }
+}
+
+struct rl_delta rl_ellipsoid_inverse(const struct rl_ellipsoid *e, double u)
+{
+    u = fmin(1.0, fmax(0.0, u));
+    double tail = u <= 0.5 ? u : 1.0 - u;
+    double s = 0.0;
+    double t = 0.0;
+    upper_sine(e, tail, &s, &t);
+    s = fmin(1.0, fmax(0.0, s));
+    t = fmin(1.0, fmax(0.0, t));
+    double c = sqrt(t * (2.0 - t));
+    /* atan2 keeps the digits at both ends, where asin or acos alone would lose half of them. */
+    double delta = atan2(s, c);
+    double sign = u <= 0.5 ? -1.0 : 1.0;
+    return (struct rl_delta){.delta = sign * delta, .sin_delta = sign * s, .cos_delta = c};
+}

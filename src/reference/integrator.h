@@ -1,0 +1,44 @@
+/* The integral L_o at one point, by integration along lines, in double precision, on the true polygons.
+ *
+ *     L_o = (1/pi) integral over theta in [0,pi), delta in [-pi/2,pi/2] of D(delta) G L_e(P, L) d delta d theta
+ *
+ * For one theta the reflected direction runs once round a circle as delta does; where it crosses the lights' edges has a closed
+ * form (lines.h). Between crossings, horizon and kinks of G the inner integrand is smooth. Over theta the integrand breaks where
+ * the circle passes a vertex; there the range is split, and each piece is integrated adaptively (Gauss-Kronrod).
+ *
+ * With attenuation off G = 1 for every L, also below the horizon: then constant radiance all round gives exactly 1.
+ */
+#ifndef RL_REFERENCE_INTEGRATOR_H
+#define RL_REFERENCE_INTEGRATOR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+#include "effects/effect.h"
+#include "model/ellipsoid.h"
+#include "scene/scene.h"
+
+/* The lights as the integrator wants them: every polygon of every light with its radiance. */
+struct rl_light_set;
+int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights, struct rl_error *error);
+void rl_light_set_free(struct rl_light_set *set);
+
+struct rl_integrate_options {
+    bool attenuation;
+    enum rl_frame_kind frame; /* RL_FRAME_PRINTED: H as the paper's frame gives it, normalised; slower */
+    double tolerance;         /* absolute error wanted, in units of the brightest radiance of the set */
+    size_t max_evaluations;   /* lines; 0: 100000. Past it the best value so far and its error are returned */
+};
+
+struct rl_estimate {
+    double value[3], error[3]; /* RGB; |value - truth| <= error is meant to hold */
+    size_t evaluations;        /* lines drawn */
+    bool converged;            /* error within tolerance */
+};
+
+/* One point. Thread-safe: `set` is only read. N and V unit vectors; V.N <= 0 gives 0. */
+void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *surface, const struct rl_ellipsoid *e,
+                        const struct rl_light_set *set, const struct rl_integrate_options *options);
+
+#endif

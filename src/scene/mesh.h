@@ -1,0 +1,32 @@
+/* Triangle meshes: positions and unit normals per vertex, three indices per triangle, counter-clockwise from outside. */
+#ifndef RL_SCENE_MESH_H
+#define RL_SCENE_MESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/error.h"
+#include "model/vec3.h"
+
+struct rl_mesh {
+    size_t n_vertices, n_triangles;
+    float (*position)[3];
+    float (*normal)[3];
+    uint32_t (*triangle)[3];
+};
+
+/* Frees what the mesh owns and leaves it empty. */
+void rl_mesh_clear(struct rl_mesh *mesh);
+
+/* Empty arrays of these sizes. */
+int rl_mesh_allocate(struct rl_mesh *mesh, size_t n_vertices, size_t n_triangles, struct rl_error *error);
+
+/* Box of all positions; the centre is the box's, the radius reaches the farthest vertex from it. */
+void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_vec3 *centre, double *radius);
+
+/* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms applied. Normals
+ * missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no triangles, non-finite vertices,
+ * truncated. (mesh_file.c) */
+int rl_mesh_load(struct rl_mesh *mesh, const char *path, struct rl_error *error);
+
+#endif

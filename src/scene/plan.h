@@ -1,0 +1,74 @@
+/* The plan: from a scene and settings, which effects are in use and, from that, the passes, textures and shader modules that
+ * they need, in a fixed order. What the scene does not ask for is not in the plan, and nothing outside the plan is allocated,
+ * compiled or drawn. `roughlight plan` prints it.
+ */
+#ifndef RL_SCENE_PLAN_H
+#define RL_SCENE_PLAN_H
+
+#include <stddef.h>
+
+#include "base/error.h"
+#include "effects/effect.h"
+#include "methods/method.h"
+#include "scene/scene.h"
+#include "scene/settings.h"
+
+enum { RL_PLAN_EFFECTS_MAX = 16, RL_PLAN_MODULES_MAX = 32 };
+
+/* One shader program: a vertex and a fragment module and what is linked between them. Module names are paths under shaders/
+ * without ".glsl", e.g. "effects/diffuse". */
+struct rl_plan_program {
+    const char *pass; /* "environment", "surface", "sphere", "highlight" */
+    size_t n_modules;
+    const char *module[RL_PLAN_MODULES_MAX]; /* in order of concatenation; the last one holds main() */
+};
+
+/* What the objects of one material need. */
+struct rl_plan_material {
+    int material;      /* index in the scene */
+    double rr;         /* after overrides */
+    const struct rl_method *method; /* NULL: no highlight */
+    int samples;
+    size_t n_effects;
+    const struct rl_effect *effect[RL_PLAN_EFFECTS_MAX];
+    int n_point_lights;      /* 0 if nothing of this material asks for them */
+    int surface_program;     /* index; base shading, and the highlight too if the method takes no samples */
+    int highlight_program;   /* index or -1: the sampled highlight's own pass */
+    int sphere_program;      /* index or -1: the bounding-sphere stencil */
+    int normal_map;          /* index or -1 */
+    int pattern;             /* index or -1 */
+    double margin;           /* of the spheres, >= 0; with sphere_program */
+};
+
+/* A normal map is shared by all materials of one R_r, a pattern by all of one R_r and sample count. */
+struct rl_plan_normal_map {
+    double rr;
+    const struct rl_method *method;
+};
+struct rl_plan_pattern {
+    double rr;
+    int samples;
+    const struct rl_method *method;
+};
+
+struct rl_plan {
+    struct rl_settings settings; /* with the scene's size filled in */
+    size_t n_materials, n_programs, n_normal_maps, n_patterns;
+    struct rl_plan_material *material; /* those that some object wears, by index in the scene */
+    struct rl_plan_program *program;
+    struct rl_plan_normal_map *normal_map;
+    struct rl_plan_pattern *pattern;
+    size_t n_environments;   /* cube maps */
+    int *environment;        /* per object: its cube map's index, or -1 */
+    int environment_program; /* index or -1 */
+    float radiance_scale;    /* the brightest component of any light: what texels of unsigned formats are divided by */
+};
+
+int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
+                 struct rl_error *error);
+void rl_plan_clear(struct rl_plan *plan);
+
+/* The plan of the material an object wears. */
+const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene, size_t object);
+
+#endif

@@ -1,0 +1,87 @@
+/* A scene as loaded: camera, film, objects in world space, materials and polygon lights.
+ *
+ *     struct rl_scene scene;
+ *     if (rl_scene_load(&scene, "studies/scenes/teapot-star.yaml", &error) == RL_OK) { ...; rl_scene_clear(&scene); }
+ *
+ * Lengths are in one unit of the scene's choice, angles in files in degrees, radiance in W/(m^2 sr) or any other unit, linear
+ * RGB. World axes are right-handed.
+ */
+#ifndef RL_SCENE_SCENE_H
+#define RL_SCENE_SCENE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/error.h"
+#include "effects/effect.h"
+#include "model/material.h"
+#include "model/vec3.h"
+#include "scene/mesh.h"
+#include "scene/settings.h"
+
+enum { RL_POLYGON_VERTICES_MAX = 64 };
+
+/* A planar, simple polygon of 3 to 64 vertices, convex or not; shines from both sides. */
+struct rl_polygon {
+    int n;
+    rl_vec3 *vertex;
+    rl_vec3 normal; /* unit; counter-clockwise seen from its tip */
+    double area;
+    uint32_t (*triangle)[3]; /* n - 2 triangles that tile it (ear clipping), as indices into `vertex` */
+};
+
+struct rl_light {
+    char *name;
+    size_t n_polygons; /* 1 for a polygon light; the triangles of a mesh light */
+    struct rl_polygon *polygon;
+    double radiance[3]; /* RGB, >= 0 */
+    rl_vec3 centroid;   /* by area */
+    rl_vec3 centre;     /* of the bounding sphere */
+    double radius;      /* of the bounding sphere */
+    double area;        /* one side; a mesh light counts a quarter of its surface, the mean silhouette of a convex body (Cauchy) */
+};
+
+struct rl_object {
+    char *name;
+    struct rl_mesh mesh; /* world space */
+    int material;        /* index */
+    rl_vec3 centre;      /* of the mesh's box: where its environment map is taken */
+    double radius;       /* about the centre */
+};
+
+struct rl_camera {
+    rl_vec3 position;
+    rl_vec3 right, up, forward; /* orthonormal, right-handed with -forward as z */
+    double fov_y;               /* vertical, radians */
+    double near_plane, far_plane; /* distances along `forward` that enclose every object */
+};
+
+struct rl_scene {
+    char *path;
+    uint64_t hash; /* of the file's bytes and of every mesh file it names */
+    int width, height; /* film, pixels */
+    struct rl_camera camera;
+    size_t n_materials, n_objects, n_lights;
+    struct rl_material *material;
+    struct rl_object *object;
+    struct rl_light *light;
+    struct rl_settings settings; /* RL_SETTINGS_DEFAULT with what the file's `render` block says */
+};
+
+int rl_scene_load(struct rl_scene *scene, const char *path, struct rl_error *error);
+void rl_scene_clear(struct rl_scene *scene);
+
+/* Fills a polygon from n vertices: checks 3 <= n <= 64, finite, planar to 1e-6 of its size, simple, area > 0; triangulates it. */
+int rl_polygon_make(struct rl_polygon *polygon, const rl_vec3 *vertex, int n, struct rl_error *error);
+void rl_polygon_clear(struct rl_polygon *polygon);
+
+/* The light as effects without shape see it. */
+struct rl_point_light rl_light_as_point(const struct rl_light *light);
+
+/* World direction (unit) through the centre of pixel (x, y) of a width x height image; y = 0 is the top row. */
+rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int x, int y);
+
+/* Column-major 4x4 for OpenGL: clip = projection x view x world. */
+void rl_camera_matrix(const struct rl_camera *camera, int width, int height, double matrix[16]);
+
+#endif
