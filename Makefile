@@ -1,0 +1,254 @@
+# roughlight: `make` builds, `make test` tests, `make report` does the main job; `make help` lists the rest.
+#
+# Variables that may be given: CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS PREFIX DESTDIR, and
+#   BUILD=dir          where everything made goes                     (build; build/sanitize-... with SANITIZE)
+#   SANITIZE=list      compile with -fsanitize=list                   make SANITIZE=address,undefined test
+#   WERROR=1           warnings are errors
+#   T=names            only these tests: module or module/name        make test T="scene/mesh model"
+#   QUICK=1            a smaller, quicker `make report`
+#   SETUP=check        say what is missing, install nothing
+#   V=1                show the commands
+
+VERSION := 0.1.0
+
+comma := ,
+BUILD ?= build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
+GEN := $(BUILD)/gen
+PREFIX ?= /usr/local
+Q := $(if $(V),,@)
+
+# `cc`, make's own default, says nothing about which compiler it is; and the C++ compiler must be of the same
+# family as the C compiler, because their sanitizers' run-time libraries do not mix.
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin CXX),default)
+CXX := $(if $(findstring clang,$(CC)),$(subst clang,clang++,$(CC)),g++)
+endif
+PKG_CONFIG ?= pkg-config
+export CC CPPFLAGS PKG_CONFIG SETUP
+
+.DELETE_ON_ERROR:
+.SUFFIXES:
+
+## Build the program (the default)
+all:
+
+# ---- Sources ------------------------------------------------------------------------------------------------
+
+# Found by wildcard: a new file needs no line here. Everything but main goes into one archive, which the program and
+# every test link against.
+MAIN := $(wildcard src/cli/main.c)
+LIB_SOURCES := $(sort $(filter-out $(MAIN),$(wildcard src/*/*.c studies/*.c)))
+SHIM_SOURCE := $(wildcard src/image/oiio.cpp)
+TEST_SUPPORT := $(wildcard tests/support/*.c)
+TEST_SOURCES := $(sort $(filter-out $(TEST_SUPPORT),$(wildcard tests/*/test_*.c)))
+TEST_SCRIPTS := $(sort $(wildcard tests/*/test_*.sh))
+C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES)
+ALL_SOURCES := $(C_SOURCES) $(SHIM_SOURCE) $(wildcard src/*/*.h studies/*.h tests/*/*.h)
+
+object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $1))
+LIBRARY := $(BUILD)/libroughlight.a
+PROGRAM := $(if $(MAIN),$(BUILD)/roughlight)
+SHIM := $(if $(SHIM_SOURCE),$(BUILD)/roughlight-oiio.so)
+
+# T names tests as module/name or module; nothing given means all.
+test_names = $(patsubst tests/%,%,$(subst /test_,/,$(basename $1)))
+select = $(foreach file,$1,$(if $(if $(T),$(filter $(T) $(T:=/%),$(call test_names,$(file))),all),$(file)))
+TEST_PROGRAMS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(call select,$(TEST_SOURCES)))
+TESTS := $(sort $(TEST_PROGRAMS) $(call select,$(TEST_SCRIPTS)))
+
+# ---- Flags --------------------------------------------------------------------------------------------------
+
+# What the code relies on; the user's CFLAGS and so on come after it.
+# _GNU_SOURCE: dladdr, realpath and sched_getaffinity are outside of ISO C, and one macro declares them all.
+# -fno-math-errno lets sqrt become one instruction. Never -ffast-math: it would drop the checks for nan and infinity.
+# -ffp-contract=off: the same bits from gcc and clang, whatever -march says.
+# -MMD -MP: each object notes its headers in a .d file, so that touching a header rebuilds its users only.
+WARNINGS := -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror)
+C_WARNINGS := -Wstrict-prototypes -Wmissing-prototypes
+SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
+COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
+CFLAGS ?= -O2 -g
+CXXFLAGS ?= $(CFLAGS)
+# Recursive: LIB_CFLAGS and the like come from packages.mk, below.
+C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(GEN) $(LIB_CFLAGS) $(CPPFLAGS) \
+	-fopenmp $(COMMON) $(C_WARNINGS) $(CFLAGS)
+CXX_COMPILE = $(CXX) -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(CXXFLAGS)
+# --as-needed: a program loads the libraries it calls and no others, which is most of its start-up time. OpenImageIO,
+# OSMesa and EGL are not linked at all but loaded when first used.
+C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) -Wl,--as-needed $(LDFLAGS)
+LIBS = $(LIB_LIBS) -lembree3 -lm -lpthread -ldl
+
+# ---- Set-up and generated files -------------------------------------------------------------------------------
+
+# Puts $1 into the file that is being made, unless that is what it holds: users of an unchanged file stay up to date.
+define write_if_changed
+	$(file >$@.new,$1)@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+endef
+FORCE:
+
+# packages.mk holds the libraries' flags. It is an included makefile, so make makes it first, which is when the set-up
+# (see .ci/setup) takes place, and then reads it. Goals that compile nothing go without it.
+LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp
+HEADER_MODULES := osmesa egl
+NO_COMPILE := help clean uninstall setup format format-check
+GOALS := $(or $(MAKECMDGOALS),all)
+PURPOSES := build $(filter test report lint,$(GOALS)) $(if $(filter lint,$(GOALS)),test) $(if $(findstring clang,$(CC)),clang)
+ifneq ($(filter-out $(NO_COMPILE),$(GOALS)),)
+include $(GEN)/packages.mk
+endif
+
+# -isystem instead of -I: warnings are about our own code.
+packages_mk = \
+	for name in 'LIB_CFLAGS --cflags $(LIB_MODULES) $(HEADER_MODULES)' 'LIB_LIBS --libs $(LIB_MODULES)' \
+		'SHIM_CFLAGS --cflags OpenImageIO' 'SHIM_LIBS --libs OpenImageIO' \
+		'TEST_CFLAGS --cflags cmocka' 'TEST_LIBS --libs cmocka'; do \
+		echo "$${name%% *} := $$($(PKG_CONFIG) $${name\#* } 2>/dev/null | sed 's/-I */-isystem /g')"; \
+	done
+
+$(GEN)/packages.mk: FORCE
+	@.ci/setup $(PURPOSES)
+	@mkdir -p $(@D)
+	@{ $(packages_mk); } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+# Everything compiled depends on this file: other flags or another compiler (or version of it) rebuild it.
+$(GEN)/flags: FORCE
+	$(call write_if_changed,$(shell $(CC) --version | head -n 1) $(C_COMPILE) $(C_LINK) $(LIBS) \
+		$(CXX_COMPILE) $(LDFLAGS) $(SHIM_LIBS) $(TEST_CFLAGS) $(TEST_LIBS))
+
+# The archive depends on this one: a source that was removed leaves nothing newer than the archive.
+$(GEN)/objects: FORCE
+	$(call write_if_changed,$(call object,$(LIB_SOURCES)))
+
+# Included by one source only, so that a commit rebuilds no more than that. Outside of a clone (in a tarball, even
+# when it lies inside somebody else's clone) the commit is "unknown".
+in_clone = $(shell [ "$$(git rev-parse --show-cdup 2>&1)" = "" ] && echo yes)
+quoted = "$(subst ",\",$(subst \,\\,$(strip $1)))"
+define version_h
+/* Made by the Makefile. */
+#define RL_VERSION "$(VERSION)"
+#define RL_COMMIT "$(or $(if $(in_clone),$(shell git rev-parse --short=12 HEAD 2>/dev/null)),unknown)"
+#define RL_DIRTY $(if $(and $(in_clone),$(shell git status --porcelain --untracked-files=no 2>/dev/null)),1,0)
+#define RL_COMPILER $(call quoted,$(shell $(CC) --version | head -n 1))
+#define RL_CFLAGS $(call quoted,$(wordlist 2,999,$(C_COMPILE)))
+endef
+$(GEN)/version.h: FORCE
+	$(call write_if_changed,$(version_h))
+
+# ---- Compiling and linking ------------------------------------------------------------------------------------
+
+.PHONY: all
+all: $(LIBRARY) $(PROGRAM) $(SHIM)
+
+# version.h must exist before anything is compiled for the first time; later on the .d files know who uses it.
+$(BUILD)/obj/%.o: %.c $(GEN)/flags | $(GEN)/version.h
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  CC      $<")
+	$(Q)$(C_COMPILE) $(TEST_FLAGS) -MMD -MP -c $< -o $@
+
+$(BUILD)/obj/%.o: %.cpp $(GEN)/flags
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  CXX     $<")
+	$(Q)$(CXX_COMPILE) -MMD -MP -c $< -o $@
+
+$(BUILD)/obj/tests/%: TEST_FLAGS = -Itests $(TEST_CFLAGS)
+
+$(LIBRARY): $(call object,$(LIB_SOURCES)) $(GEN)/objects
+	$(if $(V),,@echo "  AR      $@")
+	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+
+$(BUILD)/roughlight: $(call object,$(MAIN)) $(LIBRARY)
+	$(if $(V),,@echo "  LINK    $@")
+	$(Q)$(C_LINK) $^ $(LIBS) -o $@
+
+# The one file of C++; the program loads it when it first reads or writes an image.
+$(BUILD)/roughlight-oiio.so: $(call object,$(SHIM_SOURCE))
+	$(if $(V),,@echo "  LINK    $@")
+	$(Q)$(CXX) -shared -fPIC $(SANITIZER) $(CXXFLAGS) -Wl,--as-needed $(LDFLAGS) $^ $(SHIM_LIBS) -o $@
+
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  LINK    $@")
+	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
+
+# Otherwise make would delete the tests' objects as intermediate files.
+.SECONDARY:
+
+-include $(patsubst %.o,%.d,$(call object,$(C_SOURCES) $(SHIM_SOURCE)))
+
+# ---- Tests and the report ---------------------------------------------------------------------------------------
+
+.PHONY: test report
+## Build, and run every test, or those that T names
+test: all $(TEST_PROGRAMS)
+	$(if $(TESTS),,$(if $(T),$(error no test is called '$(T)'; there are: \
+		$(call test_names,$(TEST_SOURCES) $(TEST_SCRIPTS)))))
+	@BUILD=$(BUILD) ROUGHLIGHT=$(BUILD)/roughlight .ci/run-tests $(TESTS)
+
+## Run the studies and make build/report/index.html
+report: all
+	$(BUILD)/roughlight study run samples fps --db $(BUILD)/results.db $(if $(QUICK),--quick)
+	$(BUILD)/roughlight study report --db $(BUILD)/results.db -o $(BUILD)/report
+
+# ---- Care of the sources ------------------------------------------------------------------------------------------
+
+.PHONY: format format-check lint
+## Lay out the sources (clang-format)
+format:
+	@.ci/setup format
+	$(if $(ALL_SOURCES),clang-format -i $(ALL_SOURCES))
+
+## Fail if `make format` would change anything
+format-check:
+	@.ci/setup format
+	$(if $(ALL_SOURCES),clang-format --dry-run -Werror $(ALL_SOURCES))
+
+## Look for faults in the sources (clang-tidy, cppcheck); fails on any finding
+lint: $(GEN)/version.h
+	$(if $(C_SOURCES),printf '%s\n' $(C_SOURCES) | xargs -P 2 -n 4 sh -c 'clang-tidy --quiet "$$@" -- \
+		$(filter-out -Werror,$(wordlist 2,999,$(C_COMPILE))) -Itests $(TEST_CFLAGS)' -)
+	$(if $(SHIM_SOURCE),clang-tidy --quiet $(SHIM_SOURCE) -- $(filter-out -Werror,$(wordlist 2,999,$(CXX_COMPILE))))
+	$(if $(C_SOURCES),@mkdir -p $(BUILD)/cppcheck && cppcheck --quiet --error-exitcode=1 -j 2 --std=c11 \
+		--enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
+		--cppcheck-build-dir=$(BUILD)/cppcheck -D_GNU_SOURCE -Isrc -I. -I$(GEN) -Itests $(C_SOURCES) $(SHIM_SOURCE))
+
+# ---- Installing -----------------------------------------------------------------------------------------------------
+
+bindir := $(DESTDIR)$(PREFIX)/bin
+libdir := $(DESTDIR)$(PREFIX)/lib/roughlight
+sharedir := $(DESTDIR)$(PREFIX)/share/roughlight
+docdir := $(DESTDIR)$(PREFIX)/share/doc/roughlight
+
+# The tree $1 (where it exists) as $2, plain files, readable by all whatever the umask says.
+install_tree = $(if $(wildcard $1),cd $1 && find . -type f -exec install -D -m 644 {} $(abspath $(sharedir))/$2/{} \;)
+
+.PHONY: install uninstall clean setup help
+## Install under PREFIX (/usr/local), below DESTDIR
+install: all
+	install -D -m 755 $(BUILD)/roughlight $(bindir)/roughlight
+	install -D -m 755 $(BUILD)/roughlight-oiio.so $(libdir)/roughlight-oiio.so
+	$(call install_tree,shaders,shaders)
+	$(call install_tree,studies/scenes,scenes)
+	$(call install_tree,studies/data,data)
+	$(call install_tree,plots,plots)
+	install -D -m 644 -t $(docdir) $(wildcard README.md) LICENSE
+
+## Remove what install put there
+uninstall:
+	rm -f $(bindir)/roughlight
+	rm -rf $(libdir) $(sharedir) $(docdir)
+
+## Remove everything that was made
+clean:
+	rm -rf $(BUILD)
+
+## Install the packages that building, testing and the report need
+setup:
+	@.ci/setup build test report
+
+## List the targets
+help:
+	@awk '/^## / { what = substr($$0, 4); next } \
+		what != "" && /^[a-z-]+:/ { sub(":.*", ""); printf "  make %-13s %s\n", $$0, what; what = "" }' Makefile
+	@sed -n '/^# Variables/,/^$$/ s/^# \{0,1\}//p' Makefile
