@@ -29,7 +29,7 @@ PKG_CONFIG ?= pkg-config
 export CC CPPFLAGS PKG_CONFIG SETUP
 
 .DELETE_ON_ERROR:
-.SUFFIXES:
+MAKEFLAGS += --no-builtin-rules
 
 ## Build the program (the default)
 all:
@@ -72,7 +72,7 @@ COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 # Recursive: LIB_CFLAGS and the like come from packages.mk, below.
-C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(GEN) $(LIB_CFLAGS) $(CPPFLAGS) \
+C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) -I$(GEN) $(LIB_CFLAGS) $(CPPFLAGS) \
 	-fopenmp $(COMMON) $(C_WARNINGS) $(CFLAGS)
 CXX_COMPILE = $(CXX) -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(CXXFLAGS)
 # --as-needed: a program loads the libraries it calls and no others, which is most of its start-up time. OpenImageIO,
@@ -86,6 +86,7 @@ LIBS = $(LIB_LIBS) -lembree3 -lm -lpthread -ldl
 define write_if_changed
 	$(file >$@.new,$1)@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 endef
+.PHONY: FORCE
 FORCE:
 
 # packages.mk holds the libraries' flags. It is an included makefile, so make makes it first, which is when the set-up
@@ -211,7 +212,7 @@ lint: $(GEN)/version.h
 	$(if $(SHIM_SOURCE),clang-tidy --quiet $(SHIM_SOURCE) -- $(filter-out -Werror,$(wordlist 2,999,$(CXX_COMPILE))))
 	$(if $(C_SOURCES),@mkdir -p $(BUILD)/cppcheck && cppcheck --quiet --error-exitcode=1 -j 2 --std=c11 \
 		--enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
-		--cppcheck-build-dir=$(BUILD)/cppcheck -D_GNU_SOURCE -Isrc -I. -I$(GEN) -Itests $(C_SOURCES) $(SHIM_SOURCE))
+		--cppcheck-build-dir=$(BUILD)/cppcheck -D_GNU_SOURCE -Isrc -I. -I$(BUILD) -Itests $(C_SOURCES) $(SHIM_SOURCE))
 
 # ---- Installing -----------------------------------------------------------------------------------------------------
 
