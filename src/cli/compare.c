@@ -1,0 +1,103 @@
+/* `compare`: error metrics of an image against a reference, one row. */
+#include <math.h>
+
+#include "cli/command.h"
+#include "cli/output.h"
+#include "image/image.h"
+#include "measure/metrics.h"
+
+static const struct rl_option options_compare[] = {
+    {0, "max-rmse", "E", "fail (exit 1) if the RMSE is above E"},
+    {'o', "error-image", "FILE", "also write the signed error per pixel (.exr)"},
+    {0},
+};
+
+static void print_row(const struct rl_metrics *m, enum rl_output format)
+{
+    static const char *const columns[] = {"rmse",      "mae",    "max",        "bias", "relmse", "psnr_db",
+                                          "nonfinite", "pixels", "mismatched", NULL};
+    struct rl_rows rows;
+    rl_rows_begin(&rows, format, columns);
+    rl_rows_number(&rows, m->rmse);
+    rl_rows_number(&rows, m->mae);
+    rl_rows_number(&rows, m->max);
+    rl_rows_number(&rows, m->bias);
+    rl_rows_number(&rows, m->relmse);
+    rl_rows_number(&rows, m->psnr);
+    rl_rows_integer(&rows, (long long)m->nonfinite);
+    rl_rows_integer(&rows, (long long)m->pixels);
+    rl_rows_integer(&rows, (long long)m->mismatched);
+    rl_rows_end(&rows);
+}
+
+static int write_error_image(const char *path, const struct rl_image *image, const struct rl_image *reference,
+                             struct rl_error *error)
+{
+    struct rl_image difference = {0};
+    struct rl_write_report report;
+    int status = rl_error_image(&difference, image, reference, error);
+    if (status == RL_OK)
+        status = rl_image_write(&difference, path, &report, error);
+    rl_image_clear(&difference);
+    return status;
+}
+
+static int compare(const struct rl_image *image, const struct rl_image *reference, const struct rl_arguments *a,
+                   struct rl_error *error)
+{
+    double limit = INFINITY;
+    enum rl_output format;
+    struct rl_metrics metrics;
+    int status = rl_argument_number(a, "max-rmse", 0.0, 1e300, &limit, error);
+    if (status == RL_OK)
+        status = rl_argument_output(a, &format, error);
+    if (status == RL_OK)
+        status = rl_metrics_compute(&metrics, image, reference, error);
+    if (status != RL_OK)
+        return status;
+    print_row(&metrics, format);
+    if (metrics.nonfinite > 0)
+        return rl_fail(error, RL_ERR_CHECK, "%zu values are not finite", metrics.nonfinite);
+    const char *path = rl_argument(a, "error-image");
+    if (path && (status = write_error_image(path, image, reference, error)) != RL_OK)
+        return status;
+    if (metrics.rmse > limit)
+        return rl_fail(error, RL_ERR_CHECK, "RMSE %g is above %g", metrics.rmse, limit);
+    return RL_OK;
+}
+
+static int run(const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_image image = {0};
+    struct rl_image reference = {0};
+    int status = rl_image_read(&image, a->positional[0], error);
+    if (status == RL_OK)
+        status = rl_image_read(&reference, a->positional[1], error);
+    if (status == RL_OK) {
+        status = compare(&image, &reference, a, error);
+        if (status == RL_ERR_INPUT) /* sizes, channels or coverage: say of which files */
+            rl_fail_prefix(error, "%s against %s", a->positional[0], a->positional[1]);
+    }
+    rl_image_clear(&image);
+    rl_image_clear(&reference);
+    return rl_exit_of(status);
+}
+
+const struct rl_command rl_command_compare = {
+    .name = "compare",
+    .arguments = "IMAGE REFERENCE [options]",
+    .min_positionals = 2,
+    .max_positionals = 2,
+    .summary = "error metrics of an image against a reference",
+    .description =
+        "Prints one row of metrics of e = IMAGE - REFERENCE over the foreground (where both have alpha >= 1/2):\n\n"
+        "  rmse  sqrt(mean e^2)     mae   mean |e|      max  largest |e|     bias  mean e (brightness gained or lost)\n"
+        "  relmse  mean(e^2/(reference + 0.01)^2)       psnr_db  peak max(1, largest reference)\n"
+        "  nonfinite  NaN or infinite values: any fails the comparison (exit 1)\n"
+        "  pixels  compared         mismatched  covered in one image only, left out\n\n"
+        "Values are linear light; 8-bit files are decoded from sRGB first.\n\n"
+        "  roughlight compare a.exr reference.exr\n"
+        "  roughlight compare a.exr reference.exr --max-rmse 0.004 || echo too far off",
+    .options = (const struct rl_option *const[]){options_compare, rl_options_format, NULL},
+    .run = run,
+};

@@ -1,0 +1,141 @@
+/* From words to render settings (see render_options.h). */
+#include "cli/render_options.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/method.h"
+#include "model/ellipsoid.h"
+
+const struct rl_option rl_options_render[] = {
+    {'m', "method", "NAME", "highlight method of every material: plain, regular, random, reference (the scene's)"},
+    {'n', "samples", "N", "normals a pixel, 1 to 1024 (regular 13, random 4)"},
+    {0, "rr", "R", "R_r of every material, > 0; 1 is the roughest the paper allows (the scene's)"},
+    {0, "attenuation", "on|off", "geometric attenuation G; off: G = 1 (on)"},
+    {0, "frame", "NAME", "tangent frame: orthonormal, printed (orthonormal)"},
+    {0, "normal-bits", "B", "bits a component of the normal map: 4 to 16, half, float (8)"},
+    {0, "normal-size", "S", "texels along an edge of the normal map, a power of two, 64 to 2048 (512)"},
+    {0, "env-size", "S", "texels along an edge of a face of the environment map, 8 to 4096 (256)"},
+    {0, "env-format", "F", "rgba8, rgb10a2, r11g11b10f, rgba16, rgba16f, rgba32f (rgba8)"},
+    {0, "margin", "M|off|auto", "bounding-sphere stencil: sphere radius = (1 + M) x the light's (off)"},
+    {0, "size", "WxH", "pixels (the scene's film)"},
+    {0, "seed", "S", "seed of the baked random numbers (1)"},
+    {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
+    {0, "backend", "NAME", "auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
+    {0, "threads", "N", "of the CPU renderer ($ROUGHLIGHT_THREADS, all)"},
+    {0},
+};
+
+static int take_size(struct rl_settings *settings, const char *text, struct rl_error *error)
+{
+    int width = 0;
+    int height = 0;
+    int end = 0;
+    if (sscanf(text, "%5dx%5d%n", &width, &height, &end) != 2 || text[end] != '\0' || width < 1 || height < 1 ||
+        width > 16384 || height > 16384)
+        return rl_fail(error, RL_ERR_INPUT, "--size: found '%s', expected WIDTHxHEIGHT, each 1 to 16384", text);
+    settings->width = width;
+    settings->height = height;
+    return RL_OK;
+}
+
+static int take_method(struct rl_settings *settings, const char *name, struct rl_error *error)
+{
+    const struct rl_method *method = rl_method_find(name);
+    if (!method) {
+        char names[256] = "";
+        for (size_t i = 0, used = 0; i < rl_n_methods && used < sizeof names; i++)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", rl_methods[i]->name);
+        return rl_fail(error, RL_ERR_INPUT, "--method: found '%s', expected one of %s", name, names);
+    }
+    settings->method = method->name;
+    return RL_OK;
+}
+
+static int take_attenuation(struct rl_settings *settings, const char *text, struct rl_error *error)
+{
+    settings->attenuation = strcmp(text, "on") == 0;
+    if (!settings->attenuation && strcmp(text, "off") != 0)
+        return rl_fail(error, RL_ERR_INPUT, "--attenuation: found '%s', expected on or off", text);
+    return RL_OK;
+}
+
+static int take_seed(struct rl_settings *settings, const char *text, struct rl_error *error)
+{
+    char *end = NULL;
+    settings->seed = strtoull(text, &end, 10);
+    if (text[0] < '0' || text[0] > '9' || *end != '\0')
+        return rl_fail(error, RL_ERR_INPUT, "--seed: found '%s', expected a whole number >= 0", text);
+    return RL_OK;
+}
+
+static int take_numbers(struct rl_settings *settings, const struct rl_arguments *a, struct rl_error *error)
+{
+    long long samples = settings->samples;
+    long long normal_size = settings->normal_size;
+    long long env_size = settings->env_size;
+    int status = rl_argument_integer(a, "samples", 1, RL_SAMPLES_MAX, &samples, error);
+    if (status == RL_OK)
+        status = rl_argument_integer(a, "normal-size", 64, 2048, &normal_size, error);
+    if (status == RL_OK)
+        status = rl_argument_integer(a, "env-size", 8, 4096, &env_size, error);
+    if (status == RL_OK)
+        status = rl_argument_number(a, "rr", RL_RR_MIN, RL_RR_MAX, &settings->rr, error);
+    if (status == RL_OK)
+        status = rl_argument_number(a, "tolerance", 1e-12, 0.1, &settings->tolerance, error);
+    settings->samples = (int)samples;
+    settings->normal_size = (int)normal_size;
+    settings->env_size = (int)env_size;
+    return status;
+}
+
+int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, struct rl_error *error)
+{
+    const char *text;
+    int status = take_numbers(s, a, error);
+    if (status == RL_OK && (text = rl_argument(a, "method")))
+        status = take_method(s, text, error);
+    if (status == RL_OK && (text = rl_argument(a, "size")))
+        status = take_size(s, text, error);
+    if (status == RL_OK && (text = rl_argument(a, "seed")))
+        status = take_seed(s, text, error);
+    if (status == RL_OK && (text = rl_argument(a, "attenuation")))
+        status = take_attenuation(s, text, error);
+    if (status == RL_OK && (text = rl_argument(a, "frame")))
+        status = rl_parse_frame(&s->frame, text, "--frame", error);
+    if (status == RL_OK && (text = rl_argument(a, "normal-bits")))
+        status = rl_parse_normal_bits(&s->normal_bits, text, "--normal-bits", error);
+    if (status == RL_OK && (text = rl_argument(a, "env-format")))
+        status = rl_parse_texel_format(&s->env_format, text, "--env-format", error);
+    if (status == RL_OK && (text = rl_argument(a, "margin")))
+        status = rl_parse_margin(&s->margin_kind, &s->margin, text, "--margin", error);
+    return status == RL_OK ? rl_settings_check(s, error) : status;
+}
+
+const char *rl_argument_backend(const struct rl_arguments *arguments)
+{
+    const char *given = rl_argument(arguments, "backend");
+    if (given)
+        return given;
+    const char *variable = getenv("ROUGHLIGHT_BACKEND");
+    return variable && *variable ? variable : "auto";
+}
+
+int rl_argument_threads(const struct rl_arguments *arguments, int *threads, struct rl_error *error)
+{
+    enum { THREADS_MAX = 1024 };
+    long long n = 0;
+    if (rl_argument(arguments, "threads")) {
+        int status = rl_argument_integer(arguments, "threads", 1, THREADS_MAX, &n, error);
+        *threads = (int)n;
+        return status;
+    }
+    const char *variable = getenv("ROUGHLIGHT_THREADS");
+    double x = 0.0;
+    if (variable && *variable && (!rl_text_number(variable, &x) || x < 1 || x > THREADS_MAX || x != (double)(int)x))
+        return rl_fail(error, RL_ERR_INPUT, "ROUGHLIGHT_THREADS: found '%s', expected a whole number from 1 to %d", variable,
+                       THREADS_MAX);
+    *threads = (int)x;
+    return RL_OK;
+}

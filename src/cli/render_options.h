@@ -1,0 +1,20 @@
+/* The options that say how to render, shared by `render` and `plan`. */
+#ifndef RL_CLI_RENDER_OPTIONS_H
+#define RL_CLI_RENDER_OPTIONS_H
+
+#include "base/error.h"
+#include "cli/command.h"
+#include "scene/settings.h"
+
+extern const struct rl_option rl_options_render[];
+
+/* Overrides what was given; the rest of *settings stays (the scene's defaults). Ranges are checked. */
+int rl_argument_settings(struct rl_settings *settings, const struct rl_arguments *arguments, struct rl_error *error);
+
+/* --backend, else ROUGHLIGHT_BACKEND, else "auto". */
+const char *rl_argument_backend(const struct rl_arguments *arguments);
+
+/* --threads, else ROUGHLIGHT_THREADS, else 0: as many as the process may use. */
+int rl_argument_threads(const struct rl_arguments *arguments, int *threads, struct rl_error *error);
+
+#endif
