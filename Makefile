@@ -68,13 +68,15 @@ TESTS := $(sort $(TEST_PROGRAMS) $(call select,$(TEST_SCRIPTS)))
 WARNINGS := -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror)
 C_WARNINGS := -Wstrict-prototypes -Wmissing-prototypes
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
+SHIM_SANITIZER := $(if $(SANITIZE),-fno-sanitize=vptr)
 COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 # Recursive: LIB_CFLAGS and the like come from packages.mk, below.
-C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) -I$(GEN) $(LIB_CFLAGS) $(CPPFLAGS) \
+C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CPPFLAGS) \
 	-fopenmp $(COMMON) $(C_WARNINGS) $(CFLAGS)
-CXX_COMPILE = $(CXX) -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(CXXFLAGS)
+# No vptr check: clang's run-time library for it comes with a main program of C++ only, and ours is C.
+CXX_COMPILE = $(CXX) -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(SHIM_SANITIZER) $(CXXFLAGS)
 # --as-needed: a program loads the libraries it calls and no others, which is most of its start-up time. OpenImageIO,
 # OSMesa and EGL are not linked at all but loaded when first used.
 C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) -Wl,--as-needed $(LDFLAGS)
@@ -122,7 +124,7 @@ $(GEN)/flags: FORCE
 $(GEN)/objects: FORCE
 	$(call write_if_changed,$(call object,$(LIB_SOURCES)))
 
-# Included by one source only, so that a commit rebuilds no more than that. Outside of a clone (in a tarball, even
+# #include "gen/version.h". Included by one source only, so that a commit rebuilds no more than that. Outside of a clone (in a tarball, even
 # when it lies inside somebody else's clone) the commit is "unknown".
 in_clone = $(shell [ "$$(git rev-parse --show-cdup 2>&1)" = "" ] && echo yes)
 quoted = "$(subst ",\",$(subst \,\\,$(strip $1)))"
@@ -166,7 +168,7 @@ $(BUILD)/roughlight: $(call object,$(MAIN)) $(LIBRARY)
 # The one file of C++; the program loads it when it first reads or writes an image.
 $(BUILD)/roughlight-oiio.so: $(call object,$(SHIM_SOURCE))
 	$(if $(V),,@echo "  LINK    $@")
-	$(Q)$(CXX) -shared -fPIC $(SANITIZER) $(CXXFLAGS) -Wl,--as-needed $(LDFLAGS) $^ $(SHIM_LIBS) -o $@
+	$(Q)$(CXX) -shared -fPIC $(SANITIZER) $(SHIM_SANITIZER) $(CXXFLAGS) -Wl,--as-needed $(LDFLAGS) $^ $(SHIM_LIBS) -o $@
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(LIBRARY)
 	@mkdir -p $(@D)
