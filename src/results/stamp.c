@@ -1,0 +1,94 @@
+/* Provenance attributes (see stamp.h). */
+#include "results/stamp.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/hash.h"
+#include "base/machine.h"
+#include "base/version.h"
+
+struct stamp {
+    struct rl_image *image;
+    struct rl_error *error;
+    int status; /* the first failure; later calls do nothing */
+};
+
+static void text(struct stamp *stamp, const char *name, const char *value)
+{
+    char full[64];
+    snprintf(full, sizeof full, "roughlight:%s", name);
+    if (stamp->status == RL_OK)
+        stamp->status = rl_image_set_string(stamp->image, full, value, stamp->error);
+}
+
+static void number(struct stamp *stamp, const char *name, double value)
+{
+    char full[64];
+    snprintf(full, sizeof full, "roughlight:%s", name);
+    if (stamp->status == RL_OK)
+        stamp->status = rl_image_set_number(stamp->image, full, value, stamp->error);
+}
+
+/* "glaze: random 4, R_r 30; ground: none, R_r 10" */
+static void materials(struct stamp *stamp, const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    char line[1024] = "";
+    size_t used = 0;
+    for (size_t i = 0; i < plan->n_materials && used < sizeof line; i++) {
+        const struct rl_plan_material *m = &plan->material[i];
+        used += (size_t)snprintf(line + used, sizeof line - used, "%s%s: %s", i ? "; " : "",
+                                 scene->material[m->material].name, m->method ? m->method->name : "none");
+        if (used < sizeof line && m->method && m->method->sampled)
+            used += (size_t)snprintf(line + used, sizeof line - used, " %d", m->samples);
+        if (used < sizeof line)
+            used += (size_t)snprintf(line + used, sizeof line - used, ", R_r %g", m->rr);
+    }
+    text(stamp, "materials", line);
+}
+
+static void parameters(struct stamp *stamp, const struct rl_settings *s)
+{
+    char name[32];
+    rl_normal_bits_name(name, s->normal_bits);
+    text(stamp, "normal_bits", name);
+    number(stamp, "normal_size", s->normal_size);
+    number(stamp, "env_size", s->env_size);
+    text(stamp, "env_format", rl_texel_format_name(s->env_format));
+    if (s->margin_kind == RL_MARGIN_VALUE)
+        number(stamp, "margin", s->margin);
+    else
+        text(stamp, "margin", s->margin_kind == RL_MARGIN_AUTO ? "auto" : "off");
+    text(stamp, "attenuation", s->attenuation ? "on" : "off");
+    text(stamp, "frame", rl_frame_name(s->frame));
+    number(stamp, "tolerance", s->tolerance);
+    snprintf(name, sizeof name, "%llu", (unsigned long long)s->seed);
+    text(stamp, "seed", name); /* as text: a number would lose digits above 2^53 */
+}
+
+int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan, const char *renderer,
+                   double seconds, struct rl_error *error)
+{
+    struct stamp stamp = {image, error, RL_OK};
+    char line[256];
+    text(&stamp, "version", rl_version.version);
+    snprintf(line, sizeof line, "%s%s", rl_version.commit, rl_version.dirty ? " (modified)" : "");
+    text(&stamp, "commit", line);
+    const char *slash = strrchr(scene->path, '/');
+    text(&stamp, "scene", slash ? slash + 1 : scene->path); /* without its folder, which says nothing elsewhere */
+    rl_hash_text(line, scene->hash);
+    text(&stamp, "scene_hash", line);
+    materials(&stamp, scene, plan);
+    parameters(&stamp, &plan->settings);
+    text(&stamp, "renderer", renderer);
+    rl_machine_cpu(line, sizeof line);
+    text(&stamp, "cpu", line);
+    number(&stamp, "threads", rl_machine_threads());
+    number(&stamp, "seconds", seconds);
+    time_t now = time(NULL);
+    struct tm utc;
+    if (gmtime_r(&now, &utc) && strftime(line, sizeof line, "%Y-%m-%dT%H:%M:%SZ", &utc))
+        text(&stamp, "date", line);
+    return stamp.status;
+}

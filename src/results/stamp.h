@@ -1,0 +1,16 @@
+/* Writes into an image where it came from, as attributes "roughlight:NAME": version, commit, scene and its hash, every
+ * parameter that determines the picture, seed, renderer, CPU, threads, seconds, and the date.
+ */
+#ifndef RL_RESULTS_STAMP_H
+#define RL_RESULTS_STAMP_H
+
+#include "base/error.h"
+#include "image/image.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+
+/* `renderer`: what drew it, e.g. the GL renderer's name or "CPU, Embree 3.13.5"; `seconds`: how long it took. */
+int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan, const char *renderer,
+                   double seconds, struct rl_error *error);
+
+#endif
