@@ -8,11 +8,13 @@
 
 #include "cli/command.h"
 
-static const struct rl_option *find(const struct rl_command *command, const char *name, size_t length, char letter)
+static const struct rl_option *find(const struct rl_command *command, const char *name, size_t length,
+                                    char letter)
 {
     for (const struct rl_option *const *list = command->options; list && *list; list++)
         for (const struct rl_option *o = *list; o->name; o++)
-            if (letter ? o->letter == letter : strlen(o->name) == length && strncmp(o->name, name, length) == 0)
+            if (letter ? o->letter == letter
+                       : strlen(o->name) == length && strncmp(o->name, name, length) == 0)
                 return o;
     return NULL;
 }
@@ -55,7 +57,8 @@ static int unknown_option(const struct rl_command *command, const char *word, st
         }
     if (nearest)
         return rl_fail(error, RL_ERR_INPUT, "unknown option '%s'; did you mean '--%s'?", word, nearest);
-    return rl_fail(error, RL_ERR_INPUT, "unknown option '%s'; 'roughlight %s --help' lists them", word, command->name);
+    return rl_fail(error, RL_ERR_INPUT, "unknown option '%s'; 'roughlight %s --help' lists them", word,
+                   command->name);
 }
 
 /* Takes one option word, and the next word if it needs an argument; returns how many words, or a negative status. */
@@ -74,7 +77,8 @@ static int take_option(struct rl_arguments *a, const struct rl_command *command,
     if (!option->argument && attached)
         return rl_fail(error, RL_ERR_INPUT, "--%s takes no argument, found '%s'", option->name, attached);
     if (option->argument && !attached && left < 2)
-        return rl_fail(error, RL_ERR_INPUT, "--%s: an argument is missing, expected %s", option->name, option->argument);
+        return rl_fail(error, RL_ERR_INPUT, "--%s: an argument is missing, expected %s", option->name,
+                       option->argument);
     bool takes_next = option->argument && !attached;
     a->given[a->n_given].option = option;
     a->given[a->n_given].value = takes_next ? word[1] : attached;
@@ -96,9 +100,10 @@ int rl_arguments_parse(struct rl_arguments *a, const struct rl_command *command,
             if (words < 0)
                 return words;
             i += words;
-        } else if (a->n_positionals == command->max_positionals || a->n_positionals == RL_CLI_POSITIONALS_MAX) {
-            return rl_fail(error, RL_ERR_INPUT, "unexpected argument '%s'; usage: roughlight %s %s", argv[i], command->name,
-                           command->arguments);
+        } else if (a->n_positionals == command->max_positionals ||
+                   a->n_positionals == RL_CLI_POSITIONALS_MAX) {
+            return rl_fail(error, RL_ERR_INPUT, "unexpected argument '%s'; usage: roughlight %s %s", argv[i],
+                           command->name, command->arguments);
         } else {
             a->positional[a->n_positionals++] = argv[i++];
         }
@@ -146,8 +151,8 @@ bool rl_text_number(const char *text, double *value)
     return true;
 }
 
-int rl_argument_integer(const struct rl_arguments *a, const char *name, long long low, long long high, long long *value,
-                        struct rl_error *error)
+int rl_argument_integer(const struct rl_arguments *a, const char *name, long long low, long long high,
+                        long long *value, struct rl_error *error)
 {
     const char *text = rl_argument(a, name);
     if (!text)
@@ -156,8 +161,8 @@ int rl_argument_integer(const struct rl_arguments *a, const char *name, long lon
     errno = 0;
     long long x = strtoll(text, &end, 10);
     if (end == text || *end != '\0' || errno != 0 || x < low || x > high)
-        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected a whole number from %lld to %lld", name, text, low,
-                       high);
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected a whole number from %lld to %lld",
+                       name, text, low, high);
     *value = x;
     return RL_OK;
 }
@@ -170,7 +175,8 @@ int rl_argument_number(const struct rl_arguments *a, const char *name, double lo
         return RL_OK;
     double x;
     if (!rl_text_number(text, &x) || x < low || x > high)
-        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected a number from %g to %g", name, text, low, high);
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected a number from %g to %g", name, text,
+                       low, high);
     *value = x;
     return RL_OK;
 }
@@ -184,8 +190,8 @@ void rl_command_help(const struct rl_command *command)
         for (const struct rl_option *o = *list; o->name; o++) {
             char left[64];
             char letter[] = {'-', o->letter, ',', ' ', '\0'};
-            snprintf(left, sizeof left, "%s--%s%s%s", o->letter ? letter : "", o->name, o->argument ? " " : "",
-                     o->argument ? o->argument : "");
+            snprintf(left, sizeof left, "%s--%s%s%s", o->letter ? letter : "", o->name,
+                     o->argument ? " " : "", o->argument ? o->argument : "");
             printf("  %-24s %s\n", left, o->help);
         }
 }

@@ -19,7 +19,13 @@
 enum { RL_CLI_POSITIONALS_MAX = 64, RL_CLI_GIVEN_MAX = 256 };
 
 /* Exit codes: a contract with scripts. */
-enum rl_exit { RL_EXIT_OK = 0, RL_EXIT_CHECK = 1, RL_EXIT_USAGE = 2, RL_EXIT_PARTIAL = 3, RL_EXIT_INTERRUPTED = 130 };
+enum rl_exit {
+    RL_EXIT_OK = 0,
+    RL_EXIT_CHECK = 1,
+    RL_EXIT_USAGE = 2,
+    RL_EXIT_PARTIAL = 3,
+    RL_EXIT_INTERRUPTED = 130
+};
 
 struct rl_option {
     char letter;          /* 0: none */
@@ -43,15 +49,15 @@ struct rl_command {
     const char *arguments; /* the usage line after the name */
     size_t min_positionals, max_positionals;
     const char *summary;
-    const char *description;           /* paragraphs for --help, with examples */
+    const char *description;                /* paragraphs for --help, with examples */
     const struct rl_option *const *options; /* lists of options, NULL at the end */
     /* Returns an rl_exit; on RL_EXIT_USAGE or RL_EXIT_CHECK with a message in `error`, main prints it. */
     int (*run)(const struct rl_arguments *arguments, struct rl_error *error);
 };
 
 /* Splits the words after the subcommand's name. RL_ERR_INPUT says what is wrong with them. */
-int rl_arguments_parse(struct rl_arguments *arguments, const struct rl_command *command, int argc, char **argv,
-                       struct rl_error *error);
+int rl_arguments_parse(struct rl_arguments *arguments, const struct rl_command *command, int argc,
+                       char **argv, struct rl_error *error);
 
 bool rl_argument_flag(const struct rl_arguments *arguments, const char *name);
 /* The last value given, or NULL. */
@@ -62,8 +68,8 @@ const char *rl_argument_nth(const struct rl_arguments *arguments, const char *na
 /* Numbers with a range; an absent option leaves *value alone. Messages name the option, what was found and expected. */
 int rl_argument_integer(const struct rl_arguments *arguments, const char *name, long long low, long long high,
                         long long *value, struct rl_error *error);
-int rl_argument_number(const struct rl_arguments *arguments, const char *name, double low, double high, double *value,
-                       struct rl_error *error);
+int rl_argument_number(const struct rl_arguments *arguments, const char *name, double low, double high,
+                       double *value, struct rl_error *error);
 
 /* A finite number that is all of `text`; false if it is not. */
 bool rl_text_number(const char *text, double *value);

@@ -14,8 +14,8 @@ static const struct rl_option options_compare[] = {
 
 static void print_row(const struct rl_metrics *m, enum rl_output format)
 {
-    static const char *const columns[] = {"rmse",      "mae",    "max",        "bias", "relmse", "psnr_db",
-                                          "nonfinite", "pixels", "mismatched", NULL};
+    static const char *const columns[] = {"rmse",    "mae",       "max",    "bias",       "relmse",
+                                          "psnr_db", "nonfinite", "pixels", "mismatched", NULL};
     struct rl_rows rows;
     rl_rows_begin(&rows, format, columns);
     rl_rows_number(&rows, m->rmse);
@@ -42,8 +42,8 @@ static int write_error_image(const char *path, const struct rl_image *image, con
     return status;
 }
 
-static int compare(const struct rl_image *image, const struct rl_image *reference, const struct rl_arguments *a,
-                   struct rl_error *error)
+static int compare(const struct rl_image *image, const struct rl_image *reference,
+                   const struct rl_arguments *a, struct rl_error *error)
 {
     double limit = INFINITY;
     enum rl_output format;
@@ -89,15 +89,16 @@ const struct rl_command rl_command_compare = {
     .min_positionals = 2,
     .max_positionals = 2,
     .summary = "error metrics of an image against a reference",
-    .description =
-        "Prints one row of metrics of e = IMAGE - REFERENCE over the foreground (where both have alpha >= 1/2):\n\n"
-        "  rmse  sqrt(mean e^2)     mae   mean |e|      max  largest |e|     bias  mean e (brightness gained or lost)\n"
-        "  relmse  mean(e^2/(reference + 0.01)^2)       psnr_db  peak max(1, largest reference)\n"
-        "  nonfinite  NaN or infinite values: any fails the comparison (exit 1)\n"
-        "  pixels  compared         mismatched  covered in one image only, left out\n\n"
-        "Values are linear light; 8-bit files are decoded from sRGB first.\n\n"
-        "  roughlight compare a.exr reference.exr\n"
-        "  roughlight compare a.exr reference.exr --max-rmse 0.004 || echo too far off",
+    .description = "Prints one row of metrics of e = IMAGE - REFERENCE over the foreground (where both have "
+                   "alpha >= 1/2):\n\n"
+                   "  rmse  sqrt(mean e^2)     mae   mean |e|      max  largest |e|     bias  mean e "
+                   "(brightness gained or lost)\n"
+                   "  relmse  mean(e^2/(reference + 0.01)^2)       psnr_db  peak max(1, largest reference)\n"
+                   "  nonfinite  NaN or infinite values: any fails the comparison (exit 1)\n"
+                   "  pixels  compared         mismatched  covered in one image only, left out\n\n"
+                   "Values are linear light; 8-bit files are decoded from sRGB first.\n\n"
+                   "  roughlight compare a.exr reference.exr\n"
+                   "  roughlight compare a.exr reference.exr --max-rmse 0.004 || echo too far off",
     .options = (const struct rl_option *const[]){options_compare, rl_options_format, NULL},
     .run = run,
 };

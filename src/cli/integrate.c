@@ -13,8 +13,10 @@ static const struct rl_option options_integrate[] = {
     {0, "normal", "x,y,z", "surface normal, any length (0,0,1)"},
     {0, "view", "x,y,z", "direction to the eye, any length; needed"},
     {0, "rr", "R", "R_r of the ellipsoid distribution, 1e-6 to 1e12; needed"},
-    {0, "light", "\"x,y,z ...\"", "a planar polygon of 3 to 64 vertices, radiance 1, two-sided; may be repeated; needed"},
-    {0, "attenuation", "on|off", "geometric attenuation G; off: G = 1 for every L, below the horizon too (on)"},
+    {0, "light", "\"x,y,z ...\"",
+     "a planar polygon of 3 to 64 vertices, radiance 1, two-sided; may be repeated; needed"},
+    {0, "attenuation", "on|off",
+     "geometric attenuation G; off: G = 1 for every L, below the horizon too (on)"},
     {0, "frame", "NAME", "tangent frame: orthonormal, printed (orthonormal)"},
     {0, "method", "NAME", "reference (reference)"},
     {0, "tolerance", "T", "absolute error wanted, 1e-14 to 0.1 (1e-9)"},
@@ -44,19 +46,22 @@ static bool scan_vector(const char **text, rl_vec3 *v)
     return **text == '\0' || isspace((unsigned char)**text);
 }
 
-static int take_vector(const struct rl_arguments *a, const char *name, bool direction, rl_vec3 *v, struct rl_error *error)
+static int take_vector(const struct rl_arguments *a, const char *name, bool direction, rl_vec3 *v,
+                       struct rl_error *error)
 {
     const char *text = rl_argument(a, name);
     if (!text)
         return RL_OK;
     const char *rest = text;
     if (!scan_vector(&rest, v) || *rest != '\0')
-        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected three finite numbers x,y,z", name, text);
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected three finite numbers x,y,z", name,
+                       text);
     if (!direction)
         return RL_OK;
     *v = v3_normalize(*v);
     if (!(v3_dot(*v, *v) > 0.0))
-        return rl_fail(error, RL_ERR_INPUT, "--%s: found the zero vector '%s', expected a direction", name, text);
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found the zero vector '%s', expected a direction", name,
+                       text);
     return RL_OK;
 }
 
@@ -67,7 +72,8 @@ static int take_light(struct rl_light *light, const char *text, size_t number, s
     const char *rest = text + strspn(text, " \t\n");
     while (*rest != '\0' && n <= RL_POLYGON_VERTICES_MAX) {
         if (!scan_vector(&rest, &vertex[n]))
-            return rl_fail(error, RL_ERR_INPUT, "--light %zu: vertex %d in '%s', expected three finite numbers x,y,z", number,
+            return rl_fail(error, RL_ERR_INPUT,
+                           "--light %zu: vertex %d in '%s', expected three finite numbers x,y,z", number,
                            n + 1, text);
         n++;
         rest += strspn(rest, " \t\n");
@@ -88,7 +94,8 @@ static int take_lights(struct job *job, const struct rl_arguments *a, struct rl_
     while (rl_argument_nth(a, "light", job->n_lights))
         job->n_lights++;
     if (job->n_lights == 0)
-        return rl_fail(error, RL_ERR_INPUT, "--light is missing, expected at least one polygon \"x,y,z x,y,z x,y,z\"");
+        return rl_fail(error, RL_ERR_INPUT,
+                       "--light is missing, expected at least one polygon \"x,y,z x,y,z x,y,z\"");
     job->light = calloc(job->n_lights, sizeof *job->light);
     if (!job->light)
         return rl_fail_memory(error, "lights");
@@ -118,7 +125,8 @@ static int take_job(struct job *job, const struct rl_arguments *a, struct rl_err
     static const char *const needed[] = {"view", "rr"};
     for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
         if (!rl_argument(a, needed[i]))
-            return rl_fail(error, RL_ERR_INPUT, "--%s is missing; 'roughlight integrate --help' shows an example", needed[i]);
+            return rl_fail(error, RL_ERR_INPUT,
+                           "--%s is missing; 'roughlight integrate --help' shows an example", needed[i]);
     int status = take_vector(a, "position", false, &job->surface.P, error);
     if (status == RL_OK)
         status = take_vector(a, "normal", true, &job->surface.N, error);
@@ -155,8 +163,8 @@ static int integrate(const struct job *job, enum rl_output format, struct rl_err
     rl_rows_number(&rows, seconds);
     rl_rows_end(&rows);
     if (!estimate.converged)
-        return rl_fail(error, RL_ERR_CHECK, "stopped at an error of %g, the tolerance is %g", estimate.error[0],
-                       job->options.tolerance);
+        return rl_fail(error, RL_ERR_CHECK, "stopped at an error of %g, the tolerance is %g",
+                       estimate.error[0], job->options.tolerance);
     return RL_OK;
 }
 
@@ -182,13 +190,13 @@ const struct rl_command rl_command_integrate = {
     .name = "integrate",
     .arguments = "--view V --rr R --light \"...\" [options]",
     .summary = "the highlight at one point under polygon lights, with its error",
-    .description =
-        "Integrates D G L_e over all microfacet normals, along lines, in double precision, and prints one row:\n"
-        "value, error (meant to bound the true error), evaluations (lines drawn), seconds.\n"
-        "Exit 1: the tolerance was not reached; the row says how far it got.\n\n"
-        "A square light two units above the point, seen from 45 degrees:\n\n"
-        "  roughlight integrate --position 0,0,0 --normal 0,0,1 --view 1,0,1 --rr 30 \\\n"
-        "      --light \"-3,-1,2 -1,-1,2 -1,1,2 -3,1,2\"",
+    .description = "Integrates D G L_e over all microfacet normals, along lines, in double precision, and "
+                   "prints one row:\n"
+                   "value, error (meant to bound the true error), evaluations (lines drawn), seconds.\n"
+                   "Exit 1: the tolerance was not reached; the row says how far it got.\n\n"
+                   "A square light two units above the point, seen from 45 degrees:\n\n"
+                   "  roughlight integrate --position 0,0,0 --normal 0,0,1 --view 1,0,1 --rr 30 \\\n"
+                   "      --light \"-3,-1,2 -1,-1,2 -1,1,2 -3,1,2\"",
     .options = (const struct rl_option *const[]){options_integrate, rl_options_format, NULL},
     .run = run,
 };

@@ -9,7 +9,8 @@
 #include "model/ellipsoid.h"
 
 const struct rl_option rl_options_render[] = {
-    {'m', "method", "NAME", "highlight method of every material: plain, regular, random, reference (the scene's)"},
+    {'m', "method", "NAME",
+     "highlight method of every material: plain, regular, random, reference (the scene's)"},
     {'n', "samples", "N", "normals a pixel, 1 to 1024 (regular 13, random 4)"},
     {0, "rr", "R", "R_r of every material, > 0; 1 is the roughest the paper allows (the scene's)"},
     {0, "attenuation", "on|off", "geometric attenuation G; off: G = 1 (on)"},
@@ -32,9 +33,10 @@ static int take_size(struct rl_settings *settings, const char *text, struct rl_e
     int width = 0;
     int height = 0;
     int end = 0;
-    if (sscanf(text, "%5dx%5d%n", &width, &height, &end) != 2 || text[end] != '\0' || width < 1 || height < 1 ||
-        width > 16384 || height > 16384)
-        return rl_fail(error, RL_ERR_INPUT, "--size: found '%s', expected WIDTHxHEIGHT, each 1 to 16384", text);
+    if (sscanf(text, "%5dx%5d%n", &width, &height, &end) != 2 || text[end] != '\0' || width < 1 ||
+        height < 1 || width > 16384 || height > 16384)
+        return rl_fail(error, RL_ERR_INPUT, "--size: found '%s', expected WIDTHxHEIGHT, each 1 to 16384",
+                       text);
     settings->width = width;
     settings->height = height;
     return RL_OK;
@@ -46,7 +48,8 @@ static int take_method(struct rl_settings *settings, const char *name, struct rl
     if (!method) {
         char names[256] = "";
         for (size_t i = 0, used = 0; i < rl_n_methods && used < sizeof names; i++)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", rl_methods[i]->name);
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "",
+                                     rl_methods[i]->name);
         return rl_fail(error, RL_ERR_INPUT, "--method: found '%s', expected one of %s", name, names);
     }
     settings->method = method->name;
@@ -133,8 +136,10 @@ int rl_argument_threads(const struct rl_arguments *arguments, int *threads, stru
     }
     const char *variable = getenv("ROUGHLIGHT_THREADS");
     double x = 0.0;
-    if (variable && *variable && (!rl_text_number(variable, &x) || x < 1 || x > THREADS_MAX || x != (double)(int)x))
-        return rl_fail(error, RL_ERR_INPUT, "ROUGHLIGHT_THREADS: found '%s', expected a whole number from 1 to %d", variable,
+    if (variable && *variable &&
+        (!rl_text_number(variable, &x) || x < 1 || x > THREADS_MAX || x != (double)(int)x))
+        return rl_fail(error, RL_ERR_INPUT,
+                       "ROUGHLIGHT_THREADS: found '%s', expected a whole number from 1 to %d", variable,
                        THREADS_MAX);
     *threads = (int)x;
     return RL_OK;

@@ -9,7 +9,8 @@
 extern const struct rl_option rl_options_render[];
 
 /* Overrides what was given; the rest of *settings stays (the scene's defaults). Ranges are checked. */
-int rl_argument_settings(struct rl_settings *settings, const struct rl_arguments *arguments, struct rl_error *error);
+int rl_argument_settings(struct rl_settings *settings, const struct rl_arguments *arguments,
+                         struct rl_error *error);
 
 /* --backend, else ROUGHLIGHT_BACKEND, else "auto". */
 const char *rl_argument_backend(const struct rl_arguments *arguments);

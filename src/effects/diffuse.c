@@ -28,7 +28,8 @@ static void shade(const struct rl_surface *s, const struct rl_point_light *light
         double n_d = v3_dot(s->N, d);
         if (!(n_d > 0.0) || !(rr > 0.0))
             continue;
-        double facing = v3_dot(lights[i].normal, lights[i].normal) > 0.0 ? fabs(v3_dot(lights[i].normal, d)) : sqrt(rr);
+        double facing =
+            v3_dot(lights[i].normal, lights[i].normal) > 0.0 ? fabs(v3_dot(lights[i].normal, d)) : sqrt(rr);
         double factor = lights[i].area * n_d * facing / (rr * rr);
         for (int c = 0; c < 3; c++)
             sum[c] += factor * lights[i].radiance[c];

@@ -6,7 +6,7 @@
 
 enum rl_frame_kind {
     RL_FRAME_ORTHONORMAL, /* Duff et al. 2017: unit length for every N, no branch; (T, B, N) right-handed */
-    RL_FRAME_PRINTED      /* rows as Kimura and Tokoi print them; length sqrt(n_y^2 + n_z^2), zero at N = +-x */
+    RL_FRAME_PRINTED /* rows as Kimura and Tokoi print them; length sqrt(n_y^2 + n_z^2), zero at N = +-x */
 };
 
 struct rl_frame {

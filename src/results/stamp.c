@@ -67,8 +67,8 @@ static void parameters(struct stamp *stamp, const struct rl_settings *s)
     text(stamp, "seed", name); /* as text: a number would lose digits above 2^53 */
 }
 
-int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan, const char *renderer,
-                   double seconds, struct rl_error *error)
+int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan,
+                   const char *renderer, double seconds, struct rl_error *error)
 {
     struct stamp stamp = {image, error, RL_OK};
     char line[256];
@@ -76,7 +76,8 @@ int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const s
     snprintf(line, sizeof line, "%s%s", rl_version.commit, rl_version.dirty ? " (modified)" : "");
     text(&stamp, "commit", line);
     const char *slash = strrchr(scene->path, '/');
-    text(&stamp, "scene", slash ? slash + 1 : scene->path); /* without its folder, which says nothing elsewhere */
+    text(&stamp, "scene",
+         slash ? slash + 1 : scene->path); /* without its folder, which says nothing elsewhere */
     rl_hash_text(line, scene->hash);
     text(&stamp, "scene_hash", line);
     materials(&stamp, scene, plan);
