@@ -97,7 +97,8 @@ LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp
 HEADER_MODULES := osmesa egl
 NO_COMPILE := help clean uninstall setup format format-check
 GOALS := $(or $(MAKECMDGOALS),all)
-PURPOSES := build $(filter test report lint,$(GOALS)) $(if $(filter lint,$(GOALS)),test) $(if $(findstring clang,$(CC)),clang)
+PURPOSES := build $(filter test report,$(GOALS)) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
+	$(if $(findstring clang,$(CC)),clang)
 ifneq ($(filter-out $(NO_COMPILE),$(GOALS)),)
 include $(GEN)/packages.mk
 endif
@@ -196,7 +197,7 @@ report: all
 
 # ---- Care of the sources ------------------------------------------------------------------------------------------
 
-.PHONY: format format-check lint
+.PHONY: format format-check lint tidy cppcheck
 ## Lay out the sources (clang-format)
 format:
 	@.ci/setup format
@@ -208,13 +209,33 @@ format-check:
 	$(if $(ALL_SOURCES),clang-format --dry-run -Werror $(ALL_SOURCES))
 
 ## Look for faults in the sources (clang-tidy, cppcheck); fails on any finding
-lint: $(GEN)/version.h
-	$(if $(C_SOURCES),printf '%s\n' $(C_SOURCES) | xargs -P 2 -n 4 sh -c 'clang-tidy --quiet "$$@" -- \
-		$(filter-out -Werror,$(wordlist 2,999,$(C_COMPILE))) -Itests $(TEST_CFLAGS)' -)
-	$(if $(SHIM_SOURCE),clang-tidy --quiet $(SHIM_SOURCE) -- $(filter-out -Werror,$(wordlist 2,999,$(CXX_COMPILE))))
-	$(if $(C_SOURCES),@mkdir -p $(BUILD)/cppcheck && cppcheck --quiet --error-exitcode=1 -j 2 --std=c11 \
-		--enable=warning,performance,portability --inline-suppr --suppress=missingIncludeSystem \
-		--cppcheck-build-dir=$(BUILD)/cppcheck -D_GNU_SOURCE -Isrc -I. -I$(BUILD) -Itests $(C_SOURCES) $(SHIM_SOURCE))
+lint:
+	@$(MAKE) --no-print-directory --keep-going --output-sync -j $(shell nproc) tidy cppcheck
+
+# A source is looked at again when its object is newer, which is to say when it or one of its headers has changed.
+tidy: $(patsubst %,$(BUILD)/tidy/%.ok,$(C_SOURCES) $(SHIM_SOURCE))
+not_for_tidy := -Werror $(SANITIZER)
+$(BUILD)/tidy/%.c.ok: $(BUILD)/obj/%.o .clang-tidy
+	$(call tidy,$*.c,$(C_COMPILE) -Itests $(TEST_CFLAGS))
+$(BUILD)/tidy/%.cpp.ok: $(BUILD)/obj/%.o .clang-tidy
+	$(call tidy,$*.cpp,$(CXX_COMPILE))
+
+# $1: source, $2: how it is compiled. clang-tidy counts the warnings in system headers on stderr, which nobody wants to
+# know; what it finds goes to stdout.
+define tidy
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  TIDY    $1")
+	$(Q)clang-tidy --quiet $1 -- $(filter-out $(not_for_tidy),$(wordlist 2,999,$2)) 2>$@.err || { \
+		grep -v 'warnings\? generated' $@.err; exit 1; }
+	@touch $@
+endef
+
+cppcheck: $(GEN)/version.h
+	@mkdir -p $(BUILD)/cppcheck
+	$(if $(V),,@echo "  CPPCHECK")
+	$(Q)cppcheck --quiet --error-exitcode=1 -j 2 --std=c11 --enable=warning,performance,portability --inline-suppr \
+		--suppress=missingIncludeSystem --cppcheck-build-dir=$(BUILD)/cppcheck \
+		-D_GNU_SOURCE -Isrc -I. -I$(BUILD) -Itests $(C_SOURCES) $(SHIM_SOURCE)
 
 # ---- Installing -----------------------------------------------------------------------------------------------------
 
