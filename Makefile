@@ -45,10 +45,12 @@ TEST_SUPPORT := $(wildcard tests/support/*.c)
 TEST_SOURCES := $(sort $(filter-out $(TEST_SUPPORT),$(wildcard tests/*/test_*.c)))
 TEST_SCRIPTS := $(sort $(wildcard tests/*/test_*.sh))
 C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES)
-ALL_SOURCES := $(C_SOURCES) $(SHIM_SOURCE) $(wildcard src/*/*.h studies/*.h tests/*/*.h)
+ALL_SOURCES := $(C_SOURCES) $(SHIM_SOURCE) $(wildcard .ci/*.c) $(wildcard src/*/*.h studies/*.h tests/*/*.h)
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $1))
 LIBRARY := $(BUILD)/libroughlight.a
+# Linked into every program: nothing, unless the program is to be sanitized (the file says why).
+EXTRA := $(if $(SANITIZE),$(call object,.ci/keep-libraries.c))
 PROGRAM := $(if $(MAIN),$(BUILD)/roughlight)
 SHIM := $(if $(SHIM_SOURCE),$(BUILD)/roughlight-oiio.so)
 
@@ -79,7 +81,8 @@ C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CP
 CXX_COMPILE = $(CXX) -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(SHIM_SANITIZER) $(CXXFLAGS)
 # --as-needed: a program loads the libraries it calls and no others, which is most of its start-up time. OpenImageIO,
 # OSMesa and EGL are not linked at all but loaded when first used.
-C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) -Wl,--as-needed $(LDFLAGS)
+C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) $(if $(EXTRA),-Wl$(comma)--export-dynamic-symbol=dlclose) \
+	-Wl,--as-needed $(LDFLAGS)
 LIBS = $(LIB_LIBS) -lembree3 -lm -lpthread -ldl
 
 # ---- Set-up and generated files -------------------------------------------------------------------------------
@@ -162,7 +165,7 @@ $(LIBRARY): $(call object,$(LIB_SOURCES)) $(GEN)/objects
 	$(if $(V),,@echo "  AR      $@")
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 
-$(BUILD)/roughlight: $(call object,$(MAIN)) $(LIBRARY)
+$(BUILD)/roughlight: $(call object,$(MAIN)) $(EXTRA) $(LIBRARY)
 	$(if $(V),,@echo "  LINK    $@")
 	$(Q)$(C_LINK) $^ $(LIBS) -o $@
 
@@ -171,7 +174,7 @@ $(BUILD)/roughlight-oiio.so: $(call object,$(SHIM_SOURCE))
 	$(if $(V),,@echo "  LINK    $@")
 	$(Q)$(CXX) -shared -fPIC $(SANITIZER) $(SHIM_SANITIZER) $(CXXFLAGS) -Wl,--as-needed $(LDFLAGS) $^ $(SHIM_LIBS) -o $@
 
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(LIBRARY)
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(EXTRA) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(if $(V),,@echo "  LINK    $@")
 	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
