@@ -11,8 +11,11 @@ struct rl_interval {
     double value, low, high;
 };
 
-/* Median with the distribution-free interval from order statistics (binomial); `level` in (0, 1). For n < 6 no such interval
- * reaches 95 %: low and high are then the smallest and largest sample. n = 0 gives NaN. The samples are not changed. */
+/* All of these take a confidence level in (0, 1). Where there is no answer (no samples, a NaN among them, no
+ * memory) value, low and high are NaN. The samples are not changed. */
+
+/* Median with the distribution-free interval from order statistics (binomial). For n < 6 no such interval
+ * reaches 95 %: low and high are then the smallest and largest sample. */
 struct rl_interval rl_median_interval(const double *samples, size_t n, double level);
 
 /* Mean with Student's t interval; n = 1 gives an infinite one. */
@@ -21,7 +24,15 @@ struct rl_interval rl_mean_interval(const double *samples, size_t n, double leve
 /* Median of the ratios a[i]/b[i] of paired samples, with its interval as above. */
 struct rl_interval rl_ratio_interval(const double *a, const double *b, size_t n, double level);
 
-/* Slope of the least-squares line through (log x, log y), with Student's t interval; needs n >= 3 positive points, else NaN. */
+/* Median of the differences a[i] - b[i] of paired samples, with its interval as above. */
+struct rl_interval rl_difference_interval(const double *a, const double *b, size_t n, double level);
+
+/* Slope of the least-squares line through (log x, log y), with Student's t interval; NaN for n < 3, for a
+ * point that is not positive and finite, and where all x are the same. */
 struct rl_interval rl_loglog_slope(const double *x, const double *y, size_t n, double level);
+
+/* The factor on a standard error that makes a two-sided interval: Student's t of `freedom` > 0 degrees of
+ * freedom. */
+double rl_student_factor(double level, double freedom);
 
 #endif
