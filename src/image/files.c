@@ -14,7 +14,8 @@
 #include "image/srgb.h"
 
 /* Attributes that belong to a file's packing and not to its picture. */
-static bool steers_packing(const char *name) {
+static bool steers_packing(const char *name)
+{
     static const char *const prefix[] = {"oiio:", "openexr:", "exr:", "png:"};
     static const char *const whole[] = {"compression",    "Orientation",       "PixelAspectRatio",
                                         "ResolutionUnit", "screenWindowWidth", "XResolution",
@@ -29,7 +30,8 @@ static bool steers_packing(const char *name) {
 }
 
 /* The library's messages may have several lines; ours have one. */
-static void join_lines(struct rl_error *error) {
+static void join_lines(struct rl_error *error)
+{
     if (!error)
         return;
     size_t length = strcspn(error->message, "\r\n");
@@ -43,7 +45,8 @@ static void join_lines(struct rl_error *error) {
 
 /* ---- Reading ---- */
 
-static int check_header(const struct rl_oiio_header *h, const char *path, struct rl_error *error) {
+static int check_header(const struct rl_oiio_header *h, const char *path, struct rl_error *error)
+{
     if (h->has_depth)
         return rl_fail(error, RL_ERR_INPUT,
                        "%s: a volume or deep image, one value per pixel and channel expected", path);
@@ -70,7 +73,8 @@ static int check_header(const struct rl_oiio_header *h, const char *path, struct
 }
 
 /* The part of the picture for which there are pixels. */
-static void paste(struct rl_image *image, const struct rl_oiio_header *h, const float *stored) {
+static void paste(struct rl_image *image, const struct rl_oiio_header *h, const float *stored)
+{
     size_t channels = (size_t)image->channels;
     for (int y = 0; y < h->stored_height; y++) {
         long long to_y = (long long)y + h->y;
@@ -84,7 +88,8 @@ static void paste(struct rl_image *image, const struct rl_oiio_header *h, const 
 }
 
 static int read_pixels(struct rl_image *image, const struct rl_oiio *oiio, void *reader,
-                       const struct rl_oiio_header *h, struct rl_error *error) {
+                       const struct rl_oiio_header *h, struct rl_error *error)
+{
     if (h->x == 0 && h->y == 0 && h->width == h->stored_width && h->height == h->stored_height)
         return oiio->read(reader, image->data, error);
     size_t values = (size_t)h->stored_width * (size_t)h->stored_height * (size_t)h->channels;
@@ -99,7 +104,8 @@ static int read_pixels(struct rl_image *image, const struct rl_oiio *oiio, void 
 }
 
 /* To linear light, then to associated alpha. */
-static void decode(struct rl_image *image, const struct rl_oiio_header *h) {
+static void decode(struct rl_image *image, const struct rl_oiio_header *h)
+{
     bool linear = !h->integers || strcasecmp(h->colour_space, "Linear") == 0;
     bool power = h->gamma > 0.0 && strcasecmp(h->colour_space, "sRGB") != 0;
     int alpha = rl_image_channel(image, "A");
@@ -120,7 +126,8 @@ static void decode(struct rl_image *image, const struct rl_oiio_header *h) {
     }
 }
 
-static void keep_attribute(void *user, const char *name, const char *string, double number) {
+static void keep_attribute(void *user, const char *name, const char *string, double number)
+{
     /* Another program's attribute that does not fit our table is no reason to refuse the picture. */
     if (steers_packing(name))
         return;
@@ -131,7 +138,8 @@ static void keep_attribute(void *user, const char *name, const char *string, dou
 }
 
 static int read_opened(struct rl_image *image, const struct rl_oiio *oiio, void *reader,
-                       const struct rl_oiio_header *h, const char *path, struct rl_error *error) {
+                       const struct rl_oiio_header *h, const char *path, struct rl_error *error)
+{
     int status = check_header(h, path, error);
     if (status != RL_OK)
         return status;
@@ -150,7 +158,8 @@ static int read_opened(struct rl_image *image, const struct rl_oiio *oiio, void 
     return rl_fail_prefix(error, "%s: damaged image", path);
 }
 
-int rl_image_read(struct rl_image *image, const char *path, struct rl_error *error) {
+int rl_image_read(struct rl_image *image, const char *path, struct rl_error *error)
+{
     /* Found here and not by the library, whose words for these are many. */
     struct stat info;
     if (stat(path, &info) != 0)
@@ -179,7 +188,8 @@ int rl_image_read(struct rl_image *image, const char *path, struct rl_error *err
 /* ---- Writing ---- */
 
 static int check_finite(const struct rl_image *image, const char *path, struct rl_write_report *report,
-                        struct rl_error *error) {
+                        struct rl_error *error)
+{
     size_t values = (size_t)image->width * (size_t)image->height * (size_t)image->channels;
     size_t first = 0;
     for (size_t i = 0; i < values; i++)
@@ -195,7 +205,8 @@ static int check_finite(const struct rl_image *image, const char *path, struct r
         image->channel_name[first % (size_t)image->channels]);
 }
 
-static int check_attributes(const struct rl_image *image, const char *path, struct rl_error *error) {
+static int check_attributes(const struct rl_image *image, const char *path, struct rl_error *error)
+{
     for (size_t i = 0; i < image->n_attributes; i++)
         if (steers_packing(image->attribute[i].name))
             return rl_fail(error, RL_ERR_INPUT,
@@ -205,7 +216,8 @@ static int check_attributes(const struct rl_image *image, const char *path, stru
 }
 
 /* PNG has no channel names: what can be read back is what a reader takes its channels for. */
-static int check_png_channels(const struct rl_image *image, const char *path, struct rl_error *error) {
+static int check_png_channels(const struct rl_image *image, const char *path, struct rl_error *error)
+{
     static const char *const layout[5][4] = {
         {NULL}, {"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
     bool fits = image->channels <= 4;
@@ -217,7 +229,8 @@ static int check_png_channels(const struct rl_image *image, const char *path, st
                           path, image->channels, image->channel_name[0]);
 }
 
-static unsigned char to_byte(double value, struct rl_write_report *report) {
+static unsigned char to_byte(double value, struct rl_write_report *report)
+{
     if (value < 0.0 || value > 1.0) {
         report->clipped++;
         value = value < 0.0 ? 0.0 : 1.0;
@@ -226,7 +239,8 @@ static unsigned char to_byte(double value, struct rl_write_report *report) {
 }
 
 static void encode_pixel(unsigned char *bytes, const float *pixel, int channels, int alpha,
-                         struct rl_write_report *report) {
+                         struct rl_write_report *report)
+{
     double coverage = alpha >= 0 ? pixel[alpha] : 1.0;
     for (int c = 0; c < channels; c++) {
         double value = pixel[c];
@@ -247,7 +261,8 @@ static void encode_pixel(unsigned char *bytes, const float *pixel, int channels,
     }
 }
 
-static unsigned char *encode_bytes(const struct rl_image *image, struct rl_write_report *report) {
+static unsigned char *encode_bytes(const struct rl_image *image, struct rl_write_report *report)
+{
     size_t pixels = (size_t)image->width * (size_t)image->height;
     size_t channels = (size_t)image->channels;
     unsigned char *bytes = malloc(pixels * channels);
@@ -262,7 +277,8 @@ struct destination {
     bool reached; /* the picture was encoded; errors from there on name the path themselves */
 };
 
-static int save(void *user, const void *bytes, size_t size, struct rl_error *error) {
+static int save(void *user, const void *bytes, size_t size, struct rl_error *error)
+{
     struct destination *to = user;
     to->reached = true;
     return rl_file_write(to->path, bytes, size, error);
@@ -270,7 +286,8 @@ static int save(void *user, const void *bytes, size_t size, struct rl_error *err
 
 /* Encoded in memory, so that one place writes files, atomically, and knows why it could not. */
 static int write_as(const char *format, const struct rl_image *image, const void *pixels, const char *path,
-                    struct rl_error *error) {
+                    struct rl_error *error)
+{
     const struct rl_oiio *oiio = NULL;
     int status = rl_oiio_load(&oiio, error);
     if (status != RL_OK)
@@ -284,7 +301,8 @@ static int write_as(const char *format, const struct rl_image *image, const void
 }
 
 static int write_png(const struct rl_image *image, const char *path, struct rl_write_report *report,
-                     struct rl_error *error) {
+                     struct rl_error *error)
+{
     int status = check_png_channels(image, path, error);
     if (status != RL_OK)
         return status;
@@ -297,7 +315,8 @@ static int write_png(const struct rl_image *image, const char *path, struct rl_w
 }
 
 int rl_image_write(const struct rl_image *image, const char *path, struct rl_write_report *report,
-                   struct rl_error *error) {
+                   struct rl_error *error)
+{
     struct rl_write_report unwanted;
     if (!report)
         report = &unwanted;

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void name_channels(struct rl_image *image) {
+static void name_channels(struct rl_image *image)
+{
     static const char *const colour[] = {"R", "G", "B", "A"};
     for (int i = 0; i < image->channels; i++) {
         char *name = image->channel_name[i];
@@ -19,7 +20,8 @@ static void name_channels(struct rl_image *image) {
     }
 }
 
-int rl_image_allocate(struct rl_image *image, int width, int height, int channels, struct rl_error *error) {
+int rl_image_allocate(struct rl_image *image, int width, int height, int channels, struct rl_error *error)
+{
     if (width < 1 || height < 1 || channels < 1 || channels > RL_IMAGE_CHANNELS_MAX)
         return rl_fail(error, RL_ERR_INPUT,
                        "image of %d x %d pixels with %d channels: at least 1 x 1 with 1 to %d expected",
@@ -38,21 +40,24 @@ int rl_image_allocate(struct rl_image *image, int width, int height, int channel
     return RL_OK;
 }
 
-void rl_image_clear(struct rl_image *image) {
+void rl_image_clear(struct rl_image *image)
+{
     for (size_t i = 0; i < image->n_attributes; i++)
         free(image->attribute[i].string);
     free(image->data);
     *image = (struct rl_image){0};
 }
 
-int rl_image_channel(const struct rl_image *image, const char *name) {
+int rl_image_channel(const struct rl_image *image, const char *name)
+{
     for (int i = 0; i < image->channels; i++)
         if (strcmp(image->channel_name[i], name) == 0)
             return i;
     return -1;
 }
 
-static bool valid_name(const char *name) {
+static bool valid_name(const char *name)
+{
     size_t length = 0;
     for (; name[length]; length++)
         if (name[length] < ' ' || name[length] > '~')
@@ -61,7 +66,8 @@ static bool valid_name(const char *name) {
 }
 
 /* n_attributes if there is none. */
-static size_t find(const struct rl_image *image, const char *name) {
+static size_t find(const struct rl_image *image, const char *name)
+{
     size_t i = 0;
     while (i < image->n_attributes && strcmp(image->attribute[i].name, name) != 0)
         i++;
@@ -69,8 +75,8 @@ static size_t find(const struct rl_image *image, const char *name) {
 }
 
 /* Takes over `string`, and frees it on failure. */
-static int set(struct rl_image *image, const char *name, char *string, double number,
-               struct rl_error *error) {
+static int set(struct rl_image *image, const char *name, char *string, double number, struct rl_error *error)
+{
     size_t i = find(image, name);
     int status = RL_OK;
     if (!valid_name(name))
@@ -97,16 +103,19 @@ static int set(struct rl_image *image, const char *name, char *string, double nu
     return RL_OK;
 }
 
-int rl_image_set_string(struct rl_image *image, const char *name, const char *value, struct rl_error *error) {
+int rl_image_set_string(struct rl_image *image, const char *name, const char *value, struct rl_error *error)
+{
     char *copy = strdup(value);
     return copy ? set(image, name, copy, 0.0, error) : rl_fail_memory(error, "an image attribute");
 }
 
-int rl_image_set_number(struct rl_image *image, const char *name, double value, struct rl_error *error) {
+int rl_image_set_number(struct rl_image *image, const char *name, double value, struct rl_error *error)
+{
     return set(image, name, NULL, value, error);
 }
 
-const struct rl_attribute *rl_image_attribute(const struct rl_image *image, const char *name) {
+const struct rl_attribute *rl_image_attribute(const struct rl_image *image, const char *name)
+{
     size_t i = find(image, name);
     return i < image->n_attributes ? &image->attribute[i] : NULL;
 }

@@ -56,7 +56,8 @@ void rl_image_clear(struct rl_image *image);
 /* The channel of that name, or -1. */
 int rl_image_channel(const struct rl_image *image, const char *name);
 
-static inline float *rl_image_pixel(const struct rl_image *image, int x, int y) {
+static inline float *rl_image_pixel(const struct rl_image *image, int x, int y)
+{
     return image->data + ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channels;
 }
 

@@ -14,7 +14,8 @@ static pthread_once_t once = PTHREAD_ONCE_INIT;
 static const struct rl_oiio *loaded;
 static struct rl_error reason;
 
-static void load(void) {
+static void load(void)
+{
     char path[PATH_MAX];
     if (rl_path_plugin(path, sizeof path, RL_OIIO_PLUGIN, &reason) != RL_OK) {
         struct rl_error why = reason;
@@ -35,7 +36,8 @@ static void load(void) {
         loaded = found;
 }
 
-int rl_oiio_load(const struct rl_oiio **oiio, struct rl_error *error) {
+int rl_oiio_load(const struct rl_oiio **oiio, struct rl_error *error)
+{
     pthread_once(&once, load);
     if (!loaded)
         return rl_fail(error, reason.status, "%s", reason.message);
@@ -43,7 +45,8 @@ int rl_oiio_load(const struct rl_oiio **oiio, struct rl_error *error) {
     return RL_OK;
 }
 
-int rl_image_library(char version[64], struct rl_error *error) {
+int rl_image_library(char version[64], struct rl_error *error)
+{
     const struct rl_oiio *oiio = NULL;
     int status = rl_oiio_load(&oiio, error);
     if (status == RL_OK)

@@ -11,9 +11,11 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-namespace {
+namespace
+{
 
-int fail(rl_error *error, rl_status status, const char *message) {
+int fail(rl_error *error, rl_status status, const char *message)
+{
     if (error) {
         error->status = status;
         std::snprintf(error->message, sizeof error->message, "%s", message);
@@ -22,12 +24,14 @@ int fail(rl_error *error, rl_status status, const char *message) {
 }
 
 /* OpenImageIO sometimes fails without a word. */
-int fail(rl_error *error, const std::string &message) {
+int fail(rl_error *error, const std::string &message)
+{
     return fail(error, RL_ERR_INPUT, message.empty() ? "no reason given" : message.c_str());
 }
 
 /* Calls f, which returns a status, and turns exceptions into errors. */
-template <typename F> int guarded(rl_error *error, F f) {
+template <typename F> int guarded(rl_error *error, F f)
+{
     try {
         return f();
     } catch (const std::bad_alloc &) {
@@ -40,15 +44,18 @@ template <typename F> int guarded(rl_error *error, F f) {
 }
 
 /* Thread pools would take longer to start than our images take to pack. Stored so that it happens once. */
-bool quieten() {
+bool quieten()
+{
     return OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);
 }
 
-void version(char text[64]) {
+void version(char text[64])
+{
     std::snprintf(text, 64, "%d.%d.%d", OIIO_VERSION_MAJOR, OIIO_VERSION_MINOR, OIIO_VERSION_PATCH);
 }
 
-void describe(rl_oiio_header *header, const OIIO::ImageSpec &spec) {
+void describe(rl_oiio_header *header, const OIIO::ImageSpec &spec)
+{
     *header = rl_oiio_header{};
     header->width = spec.full_width;
     header->height = spec.full_height;
@@ -68,7 +75,8 @@ void describe(rl_oiio_header *header, const OIIO::ImageSpec &spec) {
                   spec.get_string_attribute("oiio:ColorSpace").c_str());
 }
 
-int open(void **reader, rl_oiio_header *header, const char *path, rl_error *error) {
+int open(void **reader, rl_oiio_header *header, const char *path, rl_error *error)
+{
     return guarded(error, [&]() -> int {
         static const bool quiet = quieten();
         (void)quiet;
@@ -83,7 +91,8 @@ int open(void **reader, rl_oiio_header *header, const char *path, rl_error *erro
     });
 }
 
-void attributes(void *reader, rl_oiio_attribute_visitor *visit, void *user) {
+void attributes(void *reader, rl_oiio_attribute_visitor *visit, void *user)
+{
     guarded(nullptr, [&]() -> int {
         for (const OIIO::ParamValue &p : static_cast<OIIO::ImageInput *>(reader)->spec().extra_attribs) {
             const OIIO::TypeDesc type = p.type();
@@ -99,7 +108,8 @@ void attributes(void *reader, rl_oiio_attribute_visitor *visit, void *user) {
     });
 }
 
-int read(void *reader, float *data, rl_error *error) {
+int read(void *reader, float *data, rl_error *error)
+{
     return guarded(error, [&]() -> int {
         auto *input = static_cast<OIIO::ImageInput *>(reader);
         if (!input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeDesc::FLOAT, data))
@@ -108,14 +118,16 @@ int read(void *reader, float *data, rl_error *error) {
     });
 }
 
-void close(void *reader) {
+void close(void *reader)
+{
     guarded(nullptr, [&]() -> int {
         delete static_cast<OIIO::ImageInput *>(reader);
         return RL_OK;
     });
 }
 
-OIIO::ImageSpec specify(const rl_image &image, bool png) {
+OIIO::ImageSpec specify(const rl_image &image, bool png)
+{
     OIIO::ImageSpec spec(image.width, image.height, image.channels,
                          png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
     spec.alpha_channel = -1;
@@ -149,7 +161,8 @@ OIIO::ImageSpec specify(const rl_image &image, bool png) {
 }
 
 int encode(const char *format, const rl_image *image, const void *pixels, rl_oiio_sink *sink, void *user,
-           rl_error *error) {
+           rl_error *error)
+{
     return guarded(error, [&]() -> int {
         static const bool quiet = quieten();
         (void)quiet;

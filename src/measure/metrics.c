@@ -22,7 +22,8 @@ struct layout {
     int alpha;     /* channel, or -1 */
 };
 
-static struct layout find_layout(const struct rl_image *image) {
+static struct layout find_layout(const struct rl_image *image)
+{
     struct layout l = {
         .colours = 3,
         .colour = {rl_image_channel(image, "R"), rl_image_channel(image, "G"), rl_image_channel(image, "B")},
@@ -35,12 +36,13 @@ static struct layout find_layout(const struct rl_image *image) {
     return l;
 }
 
-static const char *describe(const struct layout *l) {
+static const char *describe(const struct layout *l)
+{
     return l->colours == 3 ? "R, G, B" : l->colours == 1 ? "Y" : "no colour";
 }
 
-static int check_pair(const struct rl_image *image, const struct rl_image *reference,
-                      struct rl_error *error) {
+static int check_pair(const struct rl_image *image, const struct rl_image *reference, struct rl_error *error)
+{
     if (!image->data || !reference->data)
         return rl_fail(error, RL_ERR_INPUT, "an empty image cannot be compared");
     if (image->width != reference->width || image->height != reference->height)
@@ -56,19 +58,23 @@ static int check_pair(const struct rl_image *image, const struct rl_image *refer
     return RL_OK;
 }
 
-static size_t pixel_count(const struct rl_image *image) {
+static size_t pixel_count(const struct rl_image *image)
+{
     return (size_t)image->width * (size_t)image->height;
 }
 
-static const float *pixel_at(const struct rl_image *image, size_t i) {
+static const float *pixel_at(const struct rl_image *image, size_t i)
+{
     return image->data + i * (size_t)image->channels;
 }
 
-static bool covered(const struct layout *l, const float *pixel) {
+static bool covered(const struct layout *l, const float *pixel)
+{
     return l->alpha < 0 || pixel[l->alpha] >= 0.5F;
 }
 
-static size_t count_nonfinite(const struct rl_image *image) {
+static size_t count_nonfinite(const struct rl_image *image)
+{
     size_t values = pixel_count(image) * (size_t)image->channels;
     size_t count = 0;
     for (size_t i = 0; i < values; i++)
@@ -82,7 +88,8 @@ struct error_sums {
 };
 
 static void add_pixel(struct error_sums *sums, const struct layout *image_layout, const float *image,
-                      const struct layout *reference_layout, const float *reference) {
+                      const struct layout *reference_layout, const float *reference)
+{
     for (int c = 0; c < image_layout->colours; c++) {
         double r = reference[reference_layout->colour[c]];
         double e = image[image_layout->colour[c]] - r;
@@ -96,13 +103,15 @@ static void add_pixel(struct error_sums *sums, const struct layout *image_layout
     }
 }
 
-static int fail_no_foreground(const struct rl_metrics *m, struct rl_error *error) {
+static int fail_no_foreground(const struct rl_metrics *m, struct rl_error *error)
+{
     return rl_fail(error, RL_ERR_INPUT,
                    "nothing to compare: no pixel with alpha >= 1/2 in both images (%zu have it in one only)",
                    m->mismatched);
 }
 
-static void finish_metrics(struct rl_metrics *m, const struct error_sums *sums, int colours) {
+static void finish_metrics(struct rl_metrics *m, const struct error_sums *sums, int colours)
+{
     double n = (double)m->pixels * colours;
     if (m->nonfinite > 0) {
         m->rmse = m->mae = m->max = m->bias = m->relmse = m->psnr = NAN;
@@ -119,7 +128,8 @@ static void finish_metrics(struct rl_metrics *m, const struct error_sums *sums, 
 /* Where image and reference keep what is compared. Without alpha in the reference the image's counts for
  * nothing. */
 static void find_layouts(struct layout *image_layout, struct layout *reference_layout,
-                         const struct rl_image *image, const struct rl_image *reference) {
+                         const struct rl_image *image, const struct rl_image *reference)
+{
     *image_layout = find_layout(image);
     *reference_layout = find_layout(reference);
     if (reference_layout->alpha < 0)
@@ -127,7 +137,8 @@ static void find_layouts(struct layout *image_layout, struct layout *reference_l
 }
 
 int rl_metrics_compute(struct rl_metrics *metrics, const struct rl_image *image,
-                       const struct rl_image *reference, struct rl_error *error) {
+                       const struct rl_image *reference, struct rl_error *error)
+{
     int status = check_pair(image, reference, error);
     if (status != RL_OK)
         return status;
@@ -156,7 +167,8 @@ int rl_metrics_compute(struct rl_metrics *metrics, const struct rl_image *image,
 }
 
 int rl_error_image(struct rl_image *out, const struct rl_image *image, const struct rl_image *reference,
-                   struct rl_error *error) {
+                   struct rl_error *error)
+{
     int status = check_pair(image, reference, error);
     if (status != RL_OK)
         return status;
@@ -201,7 +213,8 @@ struct seeds {
 
 /* The mean over all values; and its interval from how far each block's sum is from its share of the whole (a
  * ratio estimate: blocks at a silhouette hold fewer values). */
-static struct rl_interval pool(const struct block *blocks, size_t n, enum quantity q) {
+static struct rl_interval pool(const struct block *blocks, size_t n, enum quantity q)
+{
     struct rl_sum sum = {0};
     struct rl_sum squares = {0};
     double values = 0.0;
@@ -224,7 +237,8 @@ static struct rl_interval pool(const struct block *blocks, size_t n, enum quanti
 }
 
 /* One pixel's unbiased estimates. */
-static void add_seeds(struct block *block, const struct seeds *s, size_t pixel) {
+static void add_seeds(struct block *block, const struct seeds *s, size_t pixel)
+{
     const float *reference = pixel_at(s->reference, pixel);
     for (int c = 0; c < s->reference_layout.colours; c++) {
         double r = reference[s->reference_layout.colour[c]];
@@ -243,7 +257,8 @@ static void add_seeds(struct block *block, const struct seeds *s, size_t pixel) 
     }
 }
 
-static bool covered_by_all(const struct seeds *s, size_t pixel) {
+static bool covered_by_all(const struct seeds *s, size_t pixel)
+{
     bool all = covered(&s->reference_layout, pixel_at(s->reference, pixel));
     for (size_t k = 0; k < s->n && all; k++)
         all = covered(&s->layout[k], pixel_at(s->image[k], pixel));
@@ -252,7 +267,8 @@ static bool covered_by_all(const struct seeds *s, size_t pixel) {
 
 /* Square tiles: neighbouring pixels' errors may depend on each other, tiles' hardly. Returns the number of
  * blocks. */
-static size_t add_tiles(struct block blocks[TILES * TILES], const struct seeds *s) {
+static size_t add_tiles(struct block blocks[TILES * TILES], const struct seeds *s)
+{
     int width = s->reference->width;
     int height = s->reference->height;
     int side = ((width > height ? width : height) + TILES - 1) / TILES;
@@ -266,7 +282,8 @@ static size_t add_tiles(struct block blocks[TILES * TILES], const struct seeds *
     return (size_t)TILES * TILES;
 }
 
-static int check_seeds(const struct seeds *s, struct rl_error *error) {
+static int check_seeds(const struct seeds *s, struct rl_error *error)
+{
     size_t nonfinite = count_nonfinite(s->reference);
     for (size_t k = 0; k < s->n; k++) {
         int status = check_pair(s->image[k], s->reference, error);
@@ -279,7 +296,8 @@ static int check_seeds(const struct seeds *s, struct rl_error *error) {
     return RL_OK;
 }
 
-static int split(struct rl_bias_variance *out, struct seeds *s, struct rl_error *error) {
+static int split(struct rl_bias_variance *out, struct seeds *s, struct rl_error *error)
+{
     for (size_t k = 0; k < s->n; k++)
         find_layouts(&s->layout[k], &s->reference_layout, s->image[k], s->reference);
     struct block blocks[TILES * TILES] = {0};
@@ -305,7 +323,8 @@ static int split(struct rl_bias_variance *out, struct seeds *s, struct rl_error 
 }
 
 int rl_bias_variance_compute(struct rl_bias_variance *out, const struct rl_image *const images[],
-                             size_t n_images, const struct rl_image *reference, struct rl_error *error) {
+                             size_t n_images, const struct rl_image *reference, struct rl_error *error)
+{
     if (n_images < 2)
         return rl_fail(error, RL_ERR_INPUT,
                        "%zu image(s), at least 2 seeds expected to tell bias from variance", n_images);

@@ -13,11 +13,13 @@
 
 static const struct rl_interval unknown = {.value = NAN, .low = NAN, .high = NAN};
 
-static bool valid_level(double level) {
+static bool valid_level(double level)
+{
     return level > 0.0 && level < 1.0;
 }
 
-static int compare_doubles(const void *a, const void *b) {
+static int compare_doubles(const void *a, const void *b)
+{
     double x = *(const double *)a;
     double y = *(const double *)b;
     return (x > y) - (x < y);
@@ -25,7 +27,8 @@ static int compare_doubles(const void *a, const void *b) {
 
 /* The largest l for which P(B < l) <= tail, B binomial with n tries of 1/2: l samples from either end span an
  * interval that misses the median with probability 2 P(B < l). 0: even the extremes miss it more often. */
-static size_t rank_from_end(size_t n, double tail) {
+static size_t rank_from_end(size_t n, double tail)
+{
     size_t low = 0;
     size_t high = n / 2;
     while (low < high) {
@@ -39,7 +42,8 @@ static size_t rank_from_end(size_t n, double tail) {
 }
 
 /* Sorts its argument. */
-static struct rl_interval median_of(double *samples, size_t n, double level) {
+static struct rl_interval median_of(double *samples, size_t n, double level)
+{
     for (size_t i = 0; i < n; i++)
         if (isnan(samples[i]))
             return unknown;
@@ -58,7 +62,8 @@ static struct rl_interval median_of(double *samples, size_t n, double level) {
 enum pairing { FIRST_ALONE, RATIO, DIFFERENCE };
 
 static struct rl_interval paired_median(const double *a, const double *b, size_t n, double level,
-                                        enum pairing pairing) {
+                                        enum pairing pairing)
+{
     double *scratch = n > 0 && valid_level(level) ? malloc(n * sizeof *scratch) : NULL;
     if (!scratch)
         return unknown;
@@ -69,23 +74,28 @@ static struct rl_interval paired_median(const double *a, const double *b, size_t
     return result;
 }
 
-struct rl_interval rl_median_interval(const double *samples, size_t n, double level) {
+struct rl_interval rl_median_interval(const double *samples, size_t n, double level)
+{
     return paired_median(samples, NULL, n, level, FIRST_ALONE);
 }
 
-struct rl_interval rl_ratio_interval(const double *a, const double *b, size_t n, double level) {
+struct rl_interval rl_ratio_interval(const double *a, const double *b, size_t n, double level)
+{
     return paired_median(a, b, n, level, RATIO);
 }
 
-struct rl_interval rl_difference_interval(const double *a, const double *b, size_t n, double level) {
+struct rl_interval rl_difference_interval(const double *a, const double *b, size_t n, double level)
+{
     return paired_median(a, b, n, level, DIFFERENCE);
 }
 
-double rl_student_factor(double level, double freedom) {
+double rl_student_factor(double level, double freedom)
+{
     return gsl_cdf_tdist_Pinv(0.5 + 0.5 * level, freedom);
 }
 
-struct rl_interval rl_mean_interval(const double *samples, size_t n, double level) {
+struct rl_interval rl_mean_interval(const double *samples, size_t n, double level)
+{
     if (n == 0 || !valid_level(level))
         return unknown;
     struct rl_sum sum = {0};
@@ -106,7 +116,8 @@ struct rl_interval rl_mean_interval(const double *samples, size_t n, double leve
 
 /* `log_x` and `log_y` have room for n. */
 static struct rl_interval slope_of_logs(double *log_x, double *log_y, const double *x, const double *y,
-                                        size_t n, double level) {
+                                        size_t n, double level)
+{
     bool all_same = true;
     for (size_t i = 0; i < n; i++) {
         if (!(x[i] > 0.0) || !(y[i] > 0.0) || isinf(x[i]) || isinf(y[i]))
@@ -129,7 +140,8 @@ static struct rl_interval slope_of_logs(double *log_x, double *log_y, const doub
     return (struct rl_interval){.value = slope, .low = slope - half, .high = slope + half};
 }
 
-struct rl_interval rl_loglog_slope(const double *x, const double *y, size_t n, double level) {
+struct rl_interval rl_loglog_slope(const double *x, const double *y, size_t n, double level)
+{
     double *logs = n >= 3 && valid_level(level) ? malloc(2 * n * sizeof *logs) : NULL;
     if (!logs)
         return unknown;

@@ -8,14 +8,16 @@ struct rl_sum {
     double total, lost; /* start at zero */
 };
 
-static inline void rl_sum_add(struct rl_sum *sum, double term) {
+static inline void rl_sum_add(struct rl_sum *sum, double term)
+{
     double next = sum->total + term;
     /* What the addition rounded away, recovered from the larger of the two. */
     sum->lost += fabs(sum->total) >= fabs(term) ? (sum->total - next) + term : (term - next) + sum->total;
     sum->total = next;
 }
 
-static inline double rl_sum_value(const struct rl_sum *sum) {
+static inline double rl_sum_value(const struct rl_sum *sum)
+{
     /* Beside an infinity `lost` is NaN. */
     return isfinite(sum->total) ? sum->total + sum->lost : sum->total;
 }
