@@ -61,7 +61,7 @@ struct rl_plan {
     size_t n_environments;   /* cube maps */
     int *environment;        /* per object: its cube map's index, or -1 */
     int environment_program; /* index or -1 */
-    float radiance_scale;    /* the brightest component of any light: what texels of unsigned formats are divided by */
+    float radiance_scale;    /* the lights' brightest component: unsigned texels are divided by it; 1 if all are dark */
 };
 
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,

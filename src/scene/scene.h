@@ -38,7 +38,8 @@ struct rl_light {
     rl_vec3 centroid;   /* by area */
     rl_vec3 centre;     /* of the bounding sphere */
     double radius;      /* of the bounding sphere */
-    double area;        /* one side; a mesh light counts a quarter of its surface, the mean silhouette of a convex body (Cauchy) */
+    double
+        area; /* one side; a mesh light counts a quarter of its surface, the mean silhouette of a convex body (Cauchy) */
 };
 
 struct rl_object {
@@ -51,14 +52,14 @@ struct rl_object {
 
 struct rl_camera {
     rl_vec3 position;
-    rl_vec3 right, up, forward; /* orthonormal, right-handed with -forward as z */
-    double fov_y;               /* vertical, radians */
+    rl_vec3 right, up, forward;   /* orthonormal, right-handed with -forward as z */
+    double fov_y;                 /* vertical, radians */
     double near_plane, far_plane; /* distances along `forward` that enclose every object */
 };
 
 struct rl_scene {
     char *path;
-    uint64_t hash; /* of the file's bytes and of every mesh file it names */
+    uint64_t hash;     /* of the file's bytes and of every mesh file it names */
     int width, height; /* film, pixels */
     struct rl_camera camera;
     size_t n_materials, n_objects, n_lights;

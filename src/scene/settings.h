@@ -3,23 +3,26 @@
 #define RL_SCENE_SETTINGS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "base/error.h"
 #include "model/frame.h"
 
 enum rl_texel_format { /* environment map */
-    RL_TEXEL_RGBA8,    /* 8-bit unsigned normalised; radiance is scaled by the brightest light's, so nothing clips */
-    RL_TEXEL_RGB10A2,
-    RL_TEXEL_R11G11B10F,
-    RL_TEXEL_RGBA16,
-    RL_TEXEL_RGBA16F,
-    RL_TEXEL_RGBA32F,
-    RL_TEXEL_FORMATS
+                       RL_TEXEL_RGBA8, /* 8-bit unsigned normalised; radiance is scaled by the brightest light's, so nothing clips */
+                       RL_TEXEL_RGB10A2,
+                       RL_TEXEL_R11G11B10F,
+                       RL_TEXEL_RGBA16,
+                       RL_TEXEL_RGBA16F,
+                       RL_TEXEL_RGBA32F,
+                       RL_TEXEL_FORMATS
 };
 
 /* Bits per component of the normal map: 4 to 16 unsigned normalised, or these. */
 enum { RL_NORMAL_BITS_HALF = -16, RL_NORMAL_BITS_FLOAT = -32 };
+
+#define RL_MARGIN_MAX 1e6
 
 enum rl_margin { RL_MARGIN_OFF, RL_MARGIN_AUTO, RL_MARGIN_VALUE };
 
@@ -32,37 +35,47 @@ struct rl_settings {
     int env_size;       /* texels along an edge of a cube face: 8 to 4096 */
     enum rl_texel_format env_format;
     enum rl_margin margin_kind;
-    double margin; /* sphere radius = (1 + margin) x the light's bounding radius; >= 0; with RL_MARGIN_VALUE */
+    double
+        margin; /* sphere radius = (1 + margin) x the light's bounding radius; 0 to RL_MARGIN_MAX; with RL_MARGIN_VALUE */
     int width, height; /* pixels, 1 to 16384; 0: the scene's film */
     uint64_t seed;
     bool attenuation;
     enum rl_frame_kind frame;
-    double tolerance; /* reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1 */
+    double
+        tolerance; /* reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1 */
 };
 
 /* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame; seed 1; tolerance 1e-5. */
-#define RL_SETTINGS_DEFAULT                                                                                       \
-    ((struct rl_settings){.normal_bits = 8,                                                                       \
-                          .normal_size = 512,                                                                     \
-                          .env_size = 256,                                                                        \
-                          .env_format = RL_TEXEL_RGBA8,                                                           \
-                          .margin_kind = RL_MARGIN_OFF,                                                           \
-                          .seed = 1,                                                                              \
-                          .attenuation = true,                                                                    \
-                          .frame = RL_FRAME_ORTHONORMAL,                                                          \
+#define RL_SETTINGS_DEFAULT                                                                                  \
+    ((struct rl_settings){.normal_bits = 8,                                                                  \
+                          .normal_size = 512,                                                                \
+                          .env_size = 256,                                                                   \
+                          .env_format = RL_TEXEL_RGBA8,                                                      \
+                          .margin_kind = RL_MARGIN_OFF,                                                      \
+                          .seed = 1,                                                                         \
+                          .attenuation = true,                                                               \
+                          .frame = RL_FRAME_ORTHONORMAL,                                                     \
                           .tolerance = 1e-5})
 
 /* Checks every range; the message names the option in its command-line spelling, what was found and what was expected. */
 int rl_settings_check(const struct rl_settings *settings, struct rl_error *error);
+/* The same for scene files, which name keys in their own way: *key is "normal-bits" and the like, the message is without it. */
+int rl_settings_check_key(const struct rl_settings *settings, const char **key, struct rl_error *error);
 
 /* Values as the command line and scene files spell them; RL_ERR_INPUT says what would have been right. `what` names the
  * argument in the message, e.g. "--env-format". */
-int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what, struct rl_error *error);
+int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what,
+                          struct rl_error *error);
 int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct rl_error *error);
-int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, const char *what, struct rl_error *error);
+int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, const char *what,
+                    struct rl_error *error);
 int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what, struct rl_error *error);
 
-const char *rl_texel_format_name(enum rl_texel_format format); /* "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f", "rgba32f" */
-void rl_normal_bits_name(char text[16], int bits);             /* "8", "half", "float" */
+/* "plain, regular, random or reference": what a message says was expected. */
+void rl_method_names(char text[], size_t size);
+
+const char *rl_texel_format_name(
+    enum rl_texel_format format); /* "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f", "rgba32f" */
+void rl_normal_bits_name(char text[16], int bits); /* "8", "half", "float" */
 
 #endif

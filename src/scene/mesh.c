@@ -1,0 +1,49 @@
+/* Storage and bounds of triangle meshes (see mesh.h). */
+#include "scene/mesh.h"
+
+#include <stdlib.h>
+
+void rl_mesh_clear(struct rl_mesh *mesh)
+{
+    free(mesh->position);
+    free(mesh->normal);
+    free(mesh->triangle);
+    *mesh = (struct rl_mesh){0};
+}
+
+int rl_mesh_allocate(struct rl_mesh *mesh, size_t n_vertices, size_t n_triangles, struct rl_error *error)
+{
+    *mesh = (struct rl_mesh){
+        .n_vertices = n_vertices,
+        .n_triangles = n_triangles,
+        .position = calloc(n_vertices ? n_vertices : 1, sizeof *mesh->position),
+        .normal = calloc(n_vertices ? n_vertices : 1, sizeof *mesh->normal),
+        .triangle = calloc(n_triangles ? n_triangles : 1, sizeof *mesh->triangle),
+    };
+    if (mesh->position && mesh->normal && mesh->triangle)
+        return RL_OK;
+    rl_mesh_clear(mesh);
+    return rl_fail_memory(error, "a mesh");
+}
+
+static rl_vec3 vertex(const struct rl_mesh *mesh, size_t i)
+{
+    return v3(mesh->position[i][0], mesh->position[i][1], mesh->position[i][2]);
+}
+
+void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_vec3 *centre, double *radius)
+{
+    *low = *high = *centre = v3(0.0, 0.0, 0.0);
+    *radius = 0.0;
+    if (mesh->n_vertices == 0)
+        return;
+    *low = *high = vertex(mesh, 0);
+    for (size_t i = 1; i < mesh->n_vertices; i++) {
+        rl_vec3 p = vertex(mesh, i);
+        *low = v3(fmin(low->x, p.x), fmin(low->y, p.y), fmin(low->z, p.z));
+        *high = v3(fmax(high->x, p.x), fmax(high->y, p.y), fmax(high->z, p.z));
+    }
+    *centre = v3_scale(0.5, v3_add(*low, *high));
+    for (size_t i = 0; i < mesh->n_vertices; i++)
+        *radius = fmax(*radius, v3_length(v3_sub(vertex(mesh, i), *centre)));
+}

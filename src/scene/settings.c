@@ -1,0 +1,174 @@
+/* Ranges and spellings of the settings (see settings.h). */
+#include "scene/settings.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/method.h"
+#include "model/ellipsoid.h"
+
+static const char *const texel_format_names[RL_TEXEL_FORMATS] = {
+    [RL_TEXEL_RGBA8] = "rgba8",   [RL_TEXEL_RGB10A2] = "rgb10a2", [RL_TEXEL_R11G11B10F] = "r11g11b10f",
+    [RL_TEXEL_RGBA16] = "rgba16", [RL_TEXEL_RGBA16F] = "rgba16f", [RL_TEXEL_RGBA32F] = "rgba32f",
+};
+
+const char *rl_texel_format_name(enum rl_texel_format format)
+{
+    return (unsigned)format < RL_TEXEL_FORMATS ? texel_format_names[format] : "unknown";
+}
+
+void rl_normal_bits_name(char text[16], int bits)
+{
+    if (bits == RL_NORMAL_BITS_HALF)
+        snprintf(text, 16, "half");
+    else if (bits == RL_NORMAL_BITS_FLOAT)
+        snprintf(text, 16, "float");
+    else
+        snprintf(text, 16, "%d", bits);
+}
+
+static bool power_of_two(int n)
+{
+    return n > 0 && (n & (n - 1)) == 0;
+}
+
+static bool known_bits(int bits)
+{
+    return (bits >= 4 && bits <= 16) || bits == RL_NORMAL_BITS_HALF || bits == RL_NORMAL_BITS_FLOAT;
+}
+
+void rl_method_names(char text[], size_t size)
+{
+    size_t length = 0;
+    text[0] = '\0';
+    for (size_t i = 0; i < rl_n_methods && length < size; i++) {
+        const char *separator = i == 0 ? "" : i + 1 == rl_n_methods ? " or " : ", ";
+        length += (size_t)snprintf(text + length, size - length, "%s%s", separator, rl_methods[i]->name);
+    }
+}
+
+static int check_method(const struct rl_settings *s, struct rl_error *error)
+{
+    if (!s->method || rl_method_find(s->method))
+        return RL_OK;
+    char names[256];
+    rl_method_names(names, sizeof names);
+    return rl_fail(error, RL_ERR_INPUT, "found '%s', expected %s", s->method, names);
+}
+
+static int check_size(int size, struct rl_error *error)
+{
+    if (size >= 0 && size <= 16384)
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "found %d, expected 1 to 16384 pixels", size);
+}
+
+int rl_settings_check_key(const struct rl_settings *s, const char **key, struct rl_error *error)
+{
+    *key = "method";
+    if (check_method(s, error) != RL_OK)
+        return RL_ERR_INPUT;
+    *key = "samples";
+    if (s->samples < 0 || s->samples > RL_SAMPLES_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "found %d, expected 1 to %d", s->samples, RL_SAMPLES_MAX);
+    *key = "rr";
+    if (s->rr != 0.0 && !rl_ellipsoid_valid(s->rr))
+        return rl_fail(error, RL_ERR_INPUT, "found %g, expected %g to %g", s->rr, RL_RR_MIN, RL_RR_MAX);
+    *key = "normal-bits";
+    if (!known_bits(s->normal_bits))
+        return rl_fail(error, RL_ERR_INPUT, "found %d, expected 4 to 16, half or float", s->normal_bits);
+    *key = "normal-size";
+    if (!power_of_two(s->normal_size) || s->normal_size < 64 || s->normal_size > 2048)
+        return rl_fail(error, RL_ERR_INPUT, "found %d, expected a power of two from 64 to 2048",
+                       s->normal_size);
+    *key = "env-size";
+    if (s->env_size < 8 || s->env_size > 4096)
+        return rl_fail(error, RL_ERR_INPUT, "found %d, expected 8 to 4096", s->env_size);
+    *key = "env-format";
+    if ((unsigned)s->env_format >= RL_TEXEL_FORMATS)
+        return rl_fail(error, RL_ERR_INPUT, "found number %d, expected a texel format", (int)s->env_format);
+    *key = "margin";
+    if ((unsigned)s->margin_kind > RL_MARGIN_VALUE)
+        return rl_fail(error, RL_ERR_INPUT, "found kind %d, expected off, auto or a number",
+                       (int)s->margin_kind);
+    if (s->margin_kind == RL_MARGIN_VALUE && !(s->margin >= 0.0 && s->margin <= RL_MARGIN_MAX))
+        return rl_fail(error, RL_ERR_INPUT, "found %g, expected 0 to %g", s->margin, RL_MARGIN_MAX);
+    *key = "size";
+    if (check_size(s->width, error) != RL_OK || check_size(s->height, error) != RL_OK)
+        return RL_ERR_INPUT;
+    *key = "frame";
+    if ((unsigned)s->frame > RL_FRAME_PRINTED)
+        return rl_fail(error, RL_ERR_INPUT, "found kind %d, expected orthonormal or printed", (int)s->frame);
+    *key = "tolerance";
+    if (!(s->tolerance >= 1e-12 && s->tolerance <= 0.1))
+        return rl_fail(error, RL_ERR_INPUT, "found %g, expected 1e-12 to 0.1", s->tolerance);
+    *key = NULL;
+    return RL_OK;
+}
+
+int rl_settings_check(const struct rl_settings *settings, struct rl_error *error)
+{
+    const char *key;
+    if (rl_settings_check_key(settings, &key, error) == RL_OK)
+        return RL_OK;
+    return rl_fail_prefix(error, "--%s", key);
+}
+
+int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what,
+                          struct rl_error *error)
+{
+    for (int i = 0; i < RL_TEXEL_FORMATS; i++)
+        if (strcmp(text, texel_format_names[i]) == 0) {
+            *format = (enum rl_texel_format)i;
+            return RL_OK;
+        }
+    return rl_fail(error, RL_ERR_INPUT,
+                   "%s: found '%.40s', expected rgba8, rgb10a2, r11g11b10f, rgba16, rgba16f or rgba32f", what,
+                   text);
+}
+
+int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct rl_error *error)
+{
+    char *end;
+    long n = strtol(text, &end, 10);
+    if (strcmp(text, "half") == 0)
+        *bits = RL_NORMAL_BITS_HALF;
+    else if (strcmp(text, "float") == 0)
+        *bits = RL_NORMAL_BITS_FLOAT;
+    else if (end != text && *end == '\0' && n >= 4 && n <= 16)
+        *bits = (int)n;
+    else
+        return rl_fail(error, RL_ERR_INPUT, "%s: found '%.40s', expected 4 to 16, half or float", what, text);
+    return RL_OK;
+}
+
+int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, const char *what,
+                    struct rl_error *error)
+{
+    char *end;
+    double value = strtod(text, &end);
+    if (strcmp(text, "off") == 0) {
+        *kind = RL_MARGIN_OFF;
+    } else if (strcmp(text, "auto") == 0) {
+        *kind = RL_MARGIN_AUTO;
+    } else if (end != text && *end == '\0' && value >= 0.0 && value <= RL_MARGIN_MAX) {
+        *kind = RL_MARGIN_VALUE;
+        *margin = value;
+    } else {
+        return rl_fail(error, RL_ERR_INPUT, "%s: found '%.40s', expected off, auto or a number from 0 to %g",
+                       what, text, RL_MARGIN_MAX);
+    }
+    return RL_OK;
+}
+
+int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what, struct rl_error *error)
+{
+    static const enum rl_frame_kind kinds[] = {RL_FRAME_ORTHONORMAL, RL_FRAME_PRINTED};
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
+        if (strcmp(text, rl_frame_name(kinds[i])) == 0) {
+            *frame = kinds[i];
+            return RL_OK;
+        }
+    return rl_fail(error, RL_ERR_INPUT, "%s: found '%.40s', expected orthonormal or printed", what, text);
+}

@@ -1,0 +1,97 @@
+/* Evaluates and tessellates the teapot's bicubic Bezier patches.
+ *
+ * P(u, v) = sum b_i(v) b_j(u) p_ij with Bernstein's cubics b. The data's rows and columns are such that dP/dv x dP/du points
+ * outwards on every patch. */
+#include "scene/teapot.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+struct basis {
+    double b[4], d[4]; /* Bernstein's cubics and their derivatives */
+};
+
+static struct basis cubics(double t)
+{
+    double s = 1.0 - t;
+    return (struct basis){
+        .b = {s * s * s, 3.0 * t * s * s, 3.0 * t * t * s, t * t * t},
+        .d = {-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t},
+    };
+}
+
+static rl_vec3 combine(int patch, const double u[4], const double v[4])
+{
+    rl_vec3 sum = v3(0.0, 0.0, 0.0);
+    for (int i = 0; i < 16; i++) {
+        const double *p = rl_teapot_point[rl_teapot_patch[patch][i]];
+        sum = v3_madd(sum, v[i / 4] * u[i % 4], v3(p[0], p[1], p[2]));
+    }
+    return sum;
+}
+
+void rl_teapot_evaluate(int patch, double u, double v, rl_vec3 *position, rl_vec3 *normal)
+{
+    struct basis bu = cubics(u), bv = cubics(v);
+    *position = combine(patch, bu.b, bv.b);
+    rl_vec3 along_u = combine(patch, bu.d, bv.b);
+    rl_vec3 along_v = combine(patch, bu.b, bv.d);
+    /* On an edge v = 0 that is one point, dP/du = 0 and close by it is v d2P/dudv: the same direction. Elsewhere in the data no
+     * derivative comes below 0.01. */
+    if (v3_length(along_u) < 1e-9)
+        along_u = combine(patch, bu.d, bv.d);
+    *normal = v3_normalize(v3_cross(along_v, along_u));
+}
+
+static void store(float to[3], rl_vec3 from)
+{
+    to[0] = (float)from.x;
+    to[1] = (float)from.y;
+    to[2] = (float)from.z;
+}
+
+/* Leaves out a triangle that has the lid's tip twice. */
+static void add_triangle(struct rl_mesh *mesh, size_t a, size_t b, size_t c)
+{
+    size_t corner[3] = {a, b, c};
+    for (int i = 0; i < 3; i++)
+        if (memcmp(mesh->position[corner[i]], mesh->position[corner[(i + 1) % 3]],
+                   sizeof mesh->position[0]) == 0)
+            return;
+    for (int i = 0; i < 3; i++)
+        mesh->triangle[mesh->n_triangles][i] = (uint32_t)corner[i];
+    mesh->n_triangles++;
+}
+
+static void add_patch(struct rl_mesh *mesh, int patch, int tessellation)
+{
+    size_t row = (size_t)tessellation + 1;
+    size_t first = (size_t)patch * row * row;
+    for (int i = 0; i <= tessellation; i++)
+        for (int j = 0; j <= tessellation; j++) {
+            rl_vec3 position, normal;
+            rl_teapot_evaluate(patch, (double)j / tessellation, (double)i / tessellation, &position, &normal);
+            size_t index = first + (size_t)i * row + (size_t)j;
+            store(mesh->position[index], position);
+            store(mesh->normal[index], normal);
+        }
+    for (size_t i = 0; i + 1 < row; i++)
+        for (size_t j = 0; j + 1 < row; j++) {
+            size_t a = first + i * row + j;
+            add_triangle(mesh, a, a + row, a + row + 1);
+            add_triangle(mesh, a, a + row + 1, a + 1);
+        }
+}
+
+int rl_teapot_build(struct rl_mesh *mesh, int tessellation, struct rl_error *error)
+{
+    size_t n = (size_t)tessellation;
+    int status =
+        rl_mesh_allocate(mesh, RL_TEAPOT_PATCHES * (n + 1) * (n + 1), RL_TEAPOT_PATCHES * 2 * n * n, error);
+    if (status != RL_OK)
+        return status;
+    mesh->n_triangles = 0;
+    for (int patch = 0; patch < RL_TEAPOT_PATCHES; patch++)
+        add_patch(mesh, patch, tessellation);
+    return RL_OK;
+}
