@@ -6,8 +6,9 @@
  *     rl_gpu_scene_read(gs, &image, &error);
  *     rl_gpu_scene_free(gs); rl_gpu_close(gpu);
  *
- * The GL libraries are loaded by rl_gpu_open with dlopen, not before. A context is current in the thread that opened it; use
- * it from there only. Several scenes may live on one context and be drawn in turn (interleaved timing).
+ * The GL libraries are loaded by rl_gpu_open with dlopen, not before. A context is current in the thread that
+ * opened it; use it from there only. Several scenes may live on one context and be drawn in turn (interleaved
+ * timing).
  */
 #ifndef RL_GPU_GPU_H
 #define RL_GPU_GPU_H
@@ -27,9 +28,9 @@ struct rl_gpu_info {
     char renderer[128], vendor[128], version[128], glsl[64];
 };
 
-/* `backend`: "auto" (osmesa, then egl-surfaceless, then egl-device), "osmesa", "egl" (surfaceless, then device),
- * "egl-surfaceless" or "egl-device". RL_ERR_INPUT: no such name. RL_ERR_UNAVAILABLE: each rejected one and why. Needs GL 4.5
- * core. GALLIUM_DRIVER is checked first: an unknown value would end the process. */
+/* `backend`: "auto" (osmesa, then egl-surfaceless, then egl-device), "osmesa", "egl" (surfaceless, then
+ * device), "egl-surfaceless" or "egl-device". RL_ERR_INPUT: no such name. RL_ERR_UNAVAILABLE: each rejected
+ * one and why. Needs GL 4.5 core. GALLIUM_DRIVER is checked first: an unknown value would end the process. */
 int rl_gpu_open(struct rl_gpu **gpu, const char *backend, struct rl_error *error);
 void rl_gpu_close(struct rl_gpu *gpu);
 const struct rl_gpu_info *rl_gpu_describe(const struct rl_gpu *gpu);
@@ -43,14 +44,15 @@ struct rl_gpu_counters {
     size_t draws, triangles, programs, textures, bytes_uploaded;
 };
 
-/* Compiles the plan's programs, uploads meshes, bakes and uploads normal maps and patterns, allocates the environment maps and
- * renders them once. A shader error names module and line. `scene` and `plan` must outlive it. */
+/* Compiles the plan's programs, uploads meshes, bakes and uploads normal maps and patterns, allocates the
+ * environment maps and renders them once. A shader error names module and line. `scene` and `plan` must
+ * outlive it. */
 int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struct rl_scene *scene,
                       const struct rl_plan *plan, struct rl_error *error);
 void rl_gpu_scene_free(struct rl_gpu_scene *gs);
 
-/* Draws one frame (surface, sphere and highlight passes) into the scene's frame buffer and waits until it is finished; *seconds
- * is its wall time. The environment maps are not drawn again: */
+/* Draws one frame (surface, sphere and highlight passes) into the scene's frame buffer and waits until it is
+ * finished; *seconds is its wall time. The environment maps are not drawn again: */
 int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
 /* Draws every environment map again, waits; for lights or objects that move. */
 int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
@@ -58,9 +60,10 @@ int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl
 /* The last frame as R, G, B, A float. Allocates `image`. */
 int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);
 
-/* One environment map, six faces of size x size side by side in GL's order (+x -x +y -y +z -z), radiance RGB. For tests and
- * pictures. RL_ERR_INPUT if the object has none. */
-int rl_gpu_scene_read_environment(struct rl_gpu_scene *gs, size_t object, struct rl_image *image, struct rl_error *error);
+/* One environment map, six faces of size x size side by side in GL's order (+x -x +y -y +z -z), radiance RGB.
+ * For tests and pictures. RL_ERR_INPUT if the object has none. */
+int rl_gpu_scene_read_environment(struct rl_gpu_scene *gs, size_t object, struct rl_image *image,
+                                  struct rl_error *error);
 
 struct rl_gpu_counters rl_gpu_scene_counters(const struct rl_gpu_scene *gs);
 void rl_gpu_scene_reset_counters(struct rl_gpu_scene *gs);
