@@ -1,0 +1,279 @@
+/* Environment maps: the polygon lights drawn into the faces of a cube map about an object's centre, the
+ * nearest one winning.
+ *
+ * What is lost: a light's edge is one texel sharp, and the map has one centre for all of the object's surface
+ * (so has the paper). Parts of a light nearer to that centre than a millionth of the distance to the farthest
+ * light are cut off.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "gpu/scene.h"
+#include "gpu/textures.h"
+
+static const double NEAR_RATIO = 1e-6;
+
+struct light_vertex {
+    float position[3], radiance[3];
+};
+
+/* As the shaders' uniform blocks lay them out (std140). */
+struct point_block {
+    float position[4], normal[4], radiance[4];
+};
+
+static void store(float to[3], rl_vec3 v) {
+    to[0] = (float)v.x;
+    to[1] = (float)v.y;
+    to[2] = (float)v.z;
+}
+
+static size_t count_vertices(const struct rl_scene *scene) {
+    size_t n = 0;
+    for (size_t i = 0; i < scene->n_lights; i++)
+        for (size_t j = 0; j < scene->light[i].n_polygons; j++)
+            n += 3 * (size_t)(scene->light[i].polygon[j].n - 2);
+    return n;
+}
+
+static size_t fill_polygon(struct light_vertex *to, const struct rl_polygon *p, const double radiance[3],
+                           float unit) {
+    size_t n = 0;
+    for (int t = 0; t < p->n - 2; t++)
+        for (int k = 0; k < 3; k++, n++) {
+            store(to[n].position, p->vertex[p->triangle[t][k]]);
+            for (int c = 0; c < 3; c++)
+                to[n].radiance[c] = (float)(radiance[c] / unit);
+        }
+    return n;
+}
+
+static int fill_vertices(struct rl_gpu_scene *gs, struct rl_error *error) {
+    const struct rl_scene *scene = gs->scene;
+    const struct rl_gl *gl = &gs->gpu->gl;
+    size_t count = count_vertices(scene);
+    struct light_vertex *vertex = malloc((count + 1) * sizeof *vertex);
+    if (!vertex)
+        return rl_fail_memory(error, "the lights' vertices");
+    size_t n = 0;
+    for (size_t i = 0; i < scene->n_lights; i++) {
+        const struct rl_light *light = &scene->light[i];
+        for (size_t j = 0; j < light->n_polygons; j++)
+            n += fill_polygon(vertex + n, &light->polygon[j], light->radiance, gs->environment_unit);
+    }
+    gl->BindBuffer(GL_ARRAY_BUFFER, gs->lights.vertex_buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(n * sizeof *vertex), vertex, GL_STATIC_DRAW);
+    gs->lights.n_vertices = (GLsizei)n;
+    gs->counters.bytes_uploaded += n * sizeof *vertex;
+    free(vertex);
+    return RL_OK;
+}
+
+static int fill_blocks(struct rl_gpu_scene *gs, struct rl_error *error) {
+    const struct rl_scene *scene = gs->scene;
+    const struct rl_gl *gl = &gs->gpu->gl;
+    size_t n = scene->n_lights;
+    struct point_block *point = calloc(n + 1, sizeof *point);
+    float(*sphere)[4] = calloc(n + 1, sizeof *sphere);
+    if (!point || !sphere) {
+        free(point);
+        free(sphere);
+        return rl_fail_memory(error, "the lights");
+    }
+    for (size_t i = 0; i < n; i++) {
+        struct rl_point_light p = rl_light_as_point(&scene->light[i]);
+        store(point[i].position, p.position);
+        point[i].position[3] = (float)p.area;
+        store(point[i].normal, p.normal);
+        for (int c = 0; c < 3; c++)
+            point[i].radiance[c] = (float)p.radiance[c];
+        store(sphere[i], scene->light[i].centre);
+        sphere[i][3] = (float)scene->light[i].radius;
+    }
+    gl->BindBuffer(GL_UNIFORM_BUFFER, gs->lights.points);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)((n + 1) * sizeof *point), point, GL_STATIC_DRAW);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, gs->lights.spheres);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)((n + 1) * sizeof *sphere), sphere, GL_STATIC_DRAW);
+    gs->counters.bytes_uploaded += (n + 1) * (sizeof *point + sizeof *sphere);
+    free(point);
+    free(sphere);
+    return RL_OK;
+}
+
+static int fill_lights(struct rl_gpu_scene *gs, struct rl_error *error) {
+    int status = fill_vertices(gs, error);
+    if (status == RL_OK)
+        status = fill_blocks(gs, error);
+    return status == RL_OK ? rl_gl_check(&gs->gpu->gl, "uploading the lights", error) : status;
+}
+
+int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    GLint largest = 0;
+    gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &largest);
+    size_t limit = (size_t)largest / sizeof(struct point_block);
+    if (gs->scene->n_lights > limit)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "%zu lights: the GPU pipeline takes up to %zu (a mesh is one light)",
+                       gs->scene->n_lights, limit);
+    gl->GenVertexArrays(1, &gs->lights.vertex_array);
+    gl->GenBuffers(1, &gs->lights.vertex_buffer);
+    gl->GenBuffers(1, &gs->lights.points);
+    gl->GenBuffers(1, &gs->lights.spheres);
+    gl->BindVertexArray(gs->lights.vertex_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, gs->lights.vertex_buffer);
+    for (GLuint i = 0; i < 2; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(struct light_vertex),
+                                (const void *)(i * sizeof(float[3])));
+    }
+    return fill_lights(gs, error);
+}
+
+void rl_lights_free(struct rl_gpu_scene *gs) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    gl->DeleteVertexArrays(1, &gs->lights.vertex_array);
+    gl->DeleteBuffers(1, &gs->lights.vertex_buffer);
+    gl->DeleteBuffers(1, &gs->lights.points);
+    gl->DeleteBuffers(1, &gs->lights.spheres);
+}
+
+int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error) {
+    struct rl_gl *gl = &gs->gpu->gl;
+    int size = gs->plan->settings.env_size;
+    gs->environment_unit = rl_texel_unit(gs->plan->settings.env_format, gs->plan->radiance_scale);
+    if (gs->plan->n_environments == 0)
+        return RL_OK;
+    for (size_t i = 0; i < gs->plan->n_environments; i++) {
+        int status = rl_cube_make(&gs->environment[i], gl, &gs->plan->settings, error);
+        if (status != RL_OK)
+            return status;
+        gs->counters.textures++;
+    }
+    gl->GenFramebuffers(1, &gs->environment_framebuffer);
+    gl->GenRenderbuffers(1, &gs->environment_depth);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->environment_depth);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size, size);
+    return rl_gl_check(gl, "the environment maps' depth buffer", error);
+}
+
+void rl_environments_free(struct rl_gpu_scene *gs) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    if (gs->environment)
+        gl->DeleteTextures((GLsizei)gs->plan->n_environments, gs->environment);
+    gl->DeleteFramebuffers(1, &gs->environment_framebuffer);
+    gl->DeleteRenderbuffers(1, &gs->environment_depth);
+    free(gs->environment);
+}
+
+static int bind_face(struct rl_gpu_scene *gs, size_t environment, int face, struct rl_error *error) {
+    struct rl_gl *gl = &gs->gpu->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, gs->environment_framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                             GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, gs->environment[environment], 0);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, gs->environment_depth);
+    return rl_gl_check_framebuffer(gl, "the environment map", error);
+}
+
+/* Columns of the matrix whose rows are a face's s, t and outward directions: OpenGL 4.5, table 8.19. */
+static const float faces[6][9] = {
+    {0, 0, 1, 0, -1, 0, -1, 0, 0}, /* +x: s = -z, t = -y */
+    {0, 0, -1, 0, -1, 0, 1, 0, 0}, /* -x: s = +z, t = -y */
+    {1, 0, 0, 0, 0, 1, 0, 1, 0},   /* +y: s = +x, t = +z */
+    {1, 0, 0, 0, 0, -1, 0, -1, 0}, /* -y: s = +x, t = -z */
+    {1, 0, 0, 0, -1, 0, 0, 0, 1},  /* +z: s = +x, t = -y */
+    {-1, 0, 0, 0, -1, 0, 0, 0, -1} /* -z: s = -x, t = -y */
+};
+
+static double farthest_vertex(const struct rl_scene *scene, rl_vec3 centre) {
+    double farthest = 0.0;
+    for (size_t i = 0; i < scene->n_lights; i++)
+        for (size_t j = 0; j < scene->light[i].n_polygons; j++)
+            for (int k = 0; k < scene->light[i].polygon[j].n; k++)
+                farthest = fmax(farthest, v3_length(v3_sub(scene->light[i].polygon[j].vertex[k], centre)));
+    return farthest;
+}
+
+static int draw_environment(struct rl_gpu_scene *gs, size_t environment, rl_vec3 centre,
+                            struct rl_error *error) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    const struct rl_gpu_program *p = &gs->program[gs->plan->environment_program];
+    gl->UseProgram(p->id);
+    gl->Uniform3f(p->centre, (float)centre.x, (float)centre.y, (float)centre.z);
+    gl->Uniform1f(p->near_plane, (float)(NEAR_RATIO * farthest_vertex(gs->scene, centre)));
+    gl->BindVertexArray(gs->lights.vertex_array);
+    for (int face = 0; face < 6; face++) {
+        int status = bind_face(gs, environment, face, error);
+        if (status != RL_OK)
+            return status;
+        gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl->UniformMatrix3fv(p->face, 1, GL_FALSE, faces[face]);
+        gl->DrawArrays(GL_TRIANGLES, 0, gs->lights.n_vertices);
+        gs->counters.draws++;
+        gs->counters.triangles += (size_t)gs->lights.n_vertices / 3;
+    }
+    return RL_OK;
+}
+
+static int draw_environments(struct rl_gpu_scene *gs, struct rl_error *error) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    int size = gs->plan->settings.env_size;
+    gl->Viewport(0, 0, size, size);
+    gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_CULL_FACE);
+    gl->Disable(GL_STENCIL_TEST);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthMask(GL_TRUE);
+    gl->DepthFunc(GL_GREATER);
+    gl->ClearDepth(0.0);
+    int status = RL_OK;
+    for (size_t i = 0; i < gs->scene->n_objects && status == RL_OK; i++)
+        if (gs->plan->environment[i] >= 0)
+            status =
+                draw_environment(gs, (size_t)gs->plan->environment[i], gs->scene->object[i].centre, error);
+    gl->ClearDepth(1.0);
+    gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    return status;
+}
+
+int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error) {
+    double start = rl_clock_seconds();
+    *seconds = 0.0;
+    int status = fill_lights(gs, error);
+    if (status == RL_OK && gs->plan->n_environments > 0)
+        status = draw_environments(gs, error);
+    gs->gpu->gl.Finish();
+    *seconds = rl_clock_seconds() - start;
+    return status == RL_OK ? rl_gl_check(&gs->gpu->gl, "the environment pass", error) : status;
+}
+
+int rl_gpu_scene_read_environment(struct rl_gpu_scene *gs, size_t object, struct rl_image *image,
+                                  struct rl_error *error) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    if (object >= gs->scene->n_objects || gs->plan->environment[object] < 0)
+        return rl_fail(error, RL_ERR_INPUT, "object %zu has no environment map", object);
+    int size = gs->plan->settings.env_size;
+    int status = rl_image_allocate(image, 6 * size, size, 3, error);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->PixelStorei(GL_PACK_ROW_LENGTH, 6 * size);
+    for (int face = 0; face < 6 && status == RL_OK; face++) {
+        status = bind_face(gs, (size_t)gs->plan->environment[object], face, error);
+        if (status == RL_OK)
+            gl->ReadPixels(0, 0, size, size, GL_RGB, GL_FLOAT, rl_image_pixel(image, face * size, 0));
+    }
+    gl->PixelStorei(GL_PACK_ROW_LENGTH, 0);
+    if (status == RL_OK)
+        status = rl_gl_check(&gs->gpu->gl, "reading the environment map", error);
+    if (status != RL_OK) {
+        rl_image_clear(image);
+        return status;
+    }
+    for (size_t i = 0; i < (size_t)size * (size_t)size * 18; i++)
+        image->data[i] *= gs->environment_unit;
+    return RL_OK;
+}

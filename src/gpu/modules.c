@@ -1,0 +1,97 @@
+/* Reads shader modules, joins them, and traces compiler messages back to them. */
+#include "gpu/modules.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/files.h"
+#include "base/paths.h"
+
+/* The numbers of the texts that are in no file; module numbers are below. */
+enum { NUMBER_DEFINES = RL_PLAN_MODULES_MAX, NUMBER_GLUE };
+
+static int append_module(FILE *out, const char *module, size_t number, struct rl_error *error) {
+    char relative[256];
+    char path[PATH_MAX];
+    char *text = NULL;
+    size_t size = 0;
+    snprintf(relative, sizeof relative, "shaders/%s.glsl", module);
+    int status = rl_path_data(path, sizeof path, relative, error);
+    if (status == RL_OK)
+        status = rl_file_read(&text, &size, path, error);
+    if (status != RL_OK)
+        return status;
+    fprintf(out, "#line 1 %zu\n%s\n", number, text);
+    free(text);
+    return RL_OK;
+}
+
+int rl_modules_assemble(char **source, const struct rl_plan_program *program, size_t first, size_t end,
+                        const char *defines, const char *glue, struct rl_error *error) {
+    size_t size = 0;
+    *source = NULL;
+    FILE *out = open_memstream(source, &size);
+    if (!out)
+        return rl_fail_memory(error, "a shader");
+    fprintf(out, "#version 450 core\n#line 1 %d\n%s", NUMBER_DEFINES, defines);
+    int status = RL_OK;
+    for (size_t i = first; i < end && status == RL_OK; i++) {
+        if (glue && i + 1 == end)
+            fprintf(out, "#line 1 %d\n%s", NUMBER_GLUE, glue);
+        status = append_module(out, program->module[i], i, error);
+    }
+    if (fclose(out) != 0 && status == RL_OK)
+        status = rl_fail_memory(error, "a shader");
+    if (status != RL_OK) {
+        free(*source);
+        *source = NULL;
+    }
+    return status;
+}
+
+/* The first line of the log that is an error; warnings may come before it. */
+static const char *first_error(const char *log) {
+    for (const char *line = log; *line;) {
+        size_t length = strcspn(line, "\n");
+        if (memmem(line, length, "error", 5))
+            return line;
+        line += length + (line[length] == '\n');
+    }
+    return log;
+}
+
+/* Mesa writes "K:LINE(COLUMN): error: ...", others "K(LINE) : error ..." or "ERROR: K:LINE: ...". */
+static int parse_place(const char *message, size_t *number, int *line, const char **rest) {
+    int used = 0;
+    int column = 0;
+    if (strncmp(message, "ERROR: ", 7) == 0)
+        message += 7;
+    if (sscanf(message, "%zu:%d(%d): %n", number, line, &column, &used) == 3 && used > 0)
+        *rest = message + used;
+    else if (sscanf(message, "%zu(%d) : %n", number, line, &used) == 2 && used > 0)
+        *rest = message + used;
+    else if (sscanf(message, "%zu:%d: %n", number, line, &used) == 2 && used > 0)
+        *rest = message + used;
+    else
+        return 0;
+    return 1;
+}
+
+int rl_modules_fail(const struct rl_plan_program *program, const char *log, struct rl_error *error) {
+    const char *message = first_error(log);
+    const char *rest = message;
+    size_t number = 0;
+    int line = 0;
+    int placed = parse_place(message, &number, &line, &rest);
+    int length = (int)strcspn(rest, "\n");
+    if (placed && number < program->n_modules)
+        return rl_fail(error, RL_ERR_INPUT, "shaders/%s.glsl:%d: %.*s", program->module[number], line, length,
+                       rest);
+    return rl_fail(error, RL_ERR_INPUT, "the %s pass's shader%s: %.*s", program->pass,
+                   placed && number == NUMBER_GLUE      ? " (generated glue)"
+                   : placed && number == NUMBER_DEFINES ? " (generated constants)"
+                                                        : "",
+                   length, rest);
+}

@@ -1,0 +1,128 @@
+/* One frame: the surface pass, then, where the plan has them, the sphere and highlight passes. */
+#include <stdbool.h>
+
+#include "base/clock.h"
+#include "gpu/scene.h"
+
+static void set_params(const struct rl_gl *gl, GLint location, int n, const float params[][4]) {
+    if (location >= 0 && n > 0)
+        gl->Uniform4fv(location, n, params[0]);
+}
+
+static void set_material(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p,
+                         const struct rl_plan_material *m) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    const struct rl_gpu_material *values = &gs->material[m - gs->plan->material];
+    gl->Uniform3f(p->specular, values->specular[0], values->specular[1], values->specular[2]);
+    gl->Uniform1f(p->sphere_scale, (float)(1.0 + m->margin));
+    for (size_t i = 0; i < m->n_effects; i++)
+        set_params(gl, p->effect_params[i], m->effect[i]->n_params, values->effect_params[i]);
+    if (m->method)
+        set_params(gl, p->method_params, m->method->n_params, values->method_params);
+    if (m->pattern >= 0)
+        gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_PATTERN, gs->pattern[m->pattern]);
+    if (m->normal_map >= 0) {
+        gl->ActiveTexture(GL_TEXTURE0 + RL_UNIT_NORMAL_MAP);
+        gl->BindTexture(GL_TEXTURE_2D, gs->normal_map[m->normal_map]);
+    }
+}
+
+static void set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    const struct rl_camera *camera = &gs->scene->camera;
+    double matrix[16];
+    float single[16];
+    rl_camera_matrix(camera, gs->width, gs->height, matrix);
+    for (int i = 0; i < 16; i++)
+        single[i] = (float)matrix[i];
+    gl->UniformMatrix4fv(p->clip_from_world, 1, GL_FALSE, single);
+    gl->Uniform3f(p->eye, (float)camera->position.x, (float)camera->position.y, (float)camera->position.z);
+}
+
+static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *object, int program) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    const struct rl_gpu_program *p = &gs->program[program];
+    gl->UseProgram(p->id);
+    set_camera(gs, p);
+    set_material(gs, p, object->material);
+    if (object->environment) {
+        gl->ActiveTexture(GL_TEXTURE0 + RL_UNIT_ENVIRONMENT);
+        gl->BindTexture(GL_TEXTURE_CUBE_MAP, object->environment);
+        gl->Uniform1f(p->environment_unit, gs->environment_unit);
+    }
+    gl->BindVertexArray(object->vertex_array);
+    gl->DrawElements(GL_TRIANGLES, object->n_indices, GL_UNSIGNED_INT, NULL);
+    gs->counters.draws++;
+    gs->counters.triangles += (size_t)object->n_indices / 3;
+}
+
+static void begin_frame(const struct rl_gpu_scene *gs) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
+    gl->Viewport(0, 0, gs->width, gs->height);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->DepthMask(GL_TRUE);
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->Enable(GL_CULL_FACE);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_LIGHTS, gs->lights.points);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_SPHERES, gs->lights.spheres);
+}
+
+static void surface_pass(struct rl_gpu_scene *gs) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_STENCIL_TEST);
+    gl->DepthFunc(GL_LESS);
+    for (size_t i = 0; i < gs->scene->n_objects; i++)
+        draw_object(gs, &gs->object[i], gs->object[i].material->surface_program);
+    /* What follows draws again what is visible and nothing else. */
+    gl->DepthFunc(GL_EQUAL);
+    gl->DepthMask(GL_FALSE);
+}
+
+static void sphere_pass(struct rl_gpu_scene *gs) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl->Enable(GL_STENCIL_TEST);
+    gl->StencilFunc(GL_ALWAYS, 1, 0xff);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    for (size_t i = 0; i < gs->scene->n_objects; i++)
+        if (gs->object[i].material->sphere_program >= 0)
+            draw_object(gs, &gs->object[i], gs->object[i].material->sphere_program);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+static void highlight_pass(struct rl_gpu_scene *gs) {
+    const struct rl_gl *gl = &gs->gpu->gl;
+    gl->Enable(GL_BLEND);
+    gl->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    gl->StencilFunc(GL_EQUAL, 1, 0xff);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    for (size_t i = 0; i < gs->scene->n_objects; i++) {
+        const struct rl_plan_material *m = gs->object[i].material;
+        if (m->highlight_program < 0)
+            continue;
+        if (m->sphere_program >= 0)
+            gl->Enable(GL_STENCIL_TEST);
+        else
+            gl->Disable(GL_STENCIL_TEST);
+        draw_object(gs, &gs->object[i], m->highlight_program);
+    }
+}
+
+int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error) {
+    bool spheres = false;
+    for (size_t i = 0; i < gs->scene->n_objects; i++)
+        spheres = spheres || gs->object[i].material->sphere_program >= 0;
+    double start = rl_clock_seconds();
+    begin_frame(gs);
+    surface_pass(gs);
+    if (spheres)
+        sphere_pass(gs);
+    highlight_pass(gs);
+    gs->gpu->gl.Finish();
+    *seconds = rl_clock_seconds() - start;
+    return rl_gl_check(&gs->gpu->gl, "drawing a frame", error);
+}

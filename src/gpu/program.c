@@ -1,0 +1,187 @@
+/* Compiles the plan's programs and writes the glue that joins their modules. */
+#include "gpu/program.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gpu/modules.h"
+
+unsigned rl_normal_map_step(int size) {
+    double texels = (double)size * (double)size;
+    return (unsigned)(0.6180339887498949 * texels) | 1u;
+}
+
+static bool uses(const struct rl_plan_material *m, int index) {
+    return m->surface_program == index || m->highlight_program == index || m->sphere_program == index;
+}
+
+static bool agree(const struct rl_plan_material *a, const struct rl_plan_material *b) {
+    return a->method == b->method && a->samples == b->samples && a->n_effects == b->n_effects &&
+           memcmp(a->effect, b->effect, a->n_effects * sizeof(const struct rl_effect *)) == 0;
+}
+
+/* Materials share a program only if it does the same for all. Spheres ask for nothing. */
+static int find_material(const struct rl_plan_material **found, const struct rl_plan *plan, int index,
+                         struct rl_error *error) {
+    *found = NULL;
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_plan_material *m = &plan->material[i];
+        if (!uses(m, index))
+            continue;
+        if (*found && m->sphere_program != index && !agree(m, *found))
+            return rl_fail(error, RL_ERR_INPUT,
+                           "the plan's program %d serves materials of different effects or methods", index);
+        if (!*found)
+            *found = m;
+    }
+    return RL_OK;
+}
+
+/* Constants of the plan, so that loops have constant bounds. */
+static int write_defines(char **text, const struct rl_plan *plan, const struct rl_plan_material *m,
+                         size_t n_lights, struct rl_error *error) {
+    int n = asprintf(text,
+                     "#define N_LIGHTS %zu\n#define SAMPLES %d\n"
+                     "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
+                     n_lights, m ? m->samples : 1, plan->settings.normal_size,
+                     rl_normal_map_step(plan->settings.normal_size));
+    if (n < 0) {
+        *text = NULL;
+        return rl_fail_memory(error, "a shader");
+    }
+    return RL_OK;
+}
+
+/* The functions that the surface pass calls: the sum of the material's effects, and the fused highlight or
+ * none. */
+static int write_glue(char **text, const struct rl_plan_material *m, struct rl_error *error) {
+    size_t size = 0;
+    FILE *out = open_memstream(text, &size);
+    if (!out)
+        return rl_fail_memory(error, "a shader");
+    fprintf(out, "vec3 shade_effects(Surface s)\n{\n    return vec3(0.0)");
+    for (size_t i = 0; i < m->n_effects; i++)
+        fprintf(out, " + effect_%s(s)", m->effect[i]->name);
+    fprintf(out, ";\n}\n");
+    bool fused = m->method && m->highlight_program < 0;
+    fprintf(out, "vec3 shade_highlight(Surface s)\n{\n    return %s;\n}\n",
+            fused ? "highlight(s)" : "vec3(0.0)");
+    if (fclose(out) != 0) {
+        free(*text);
+        *text = NULL;
+        return rl_fail_memory(error, "a shader");
+    }
+    return RL_OK;
+}
+
+static int compile(GLuint *out, struct rl_gl *gl, GLenum stage, const char *source,
+                   const struct rl_plan_program *program, struct rl_error *error) {
+    GLuint shader = gl->CreateShader(stage);
+    GLint compiled = 0;
+    gl->ShaderSource(shader, 1, &source, NULL);
+    gl->CompileShader(shader);
+    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        char log[4096] = "";
+        gl->GetShaderInfoLog(shader, sizeof log, NULL, log);
+        gl->DeleteShader(shader);
+        return rl_modules_fail(program, log, error);
+    }
+    *out = shader;
+    return RL_OK;
+}
+
+static int assemble_and_compile(GLuint *shader, struct rl_gl *gl, GLenum stage,
+                                const struct rl_plan_program *program, const char *defines, const char *glue,
+                                struct rl_error *error) {
+    char *source = NULL;
+    bool vertex = stage == GL_VERTEX_SHADER;
+    int status = rl_modules_assemble(&source, program, vertex ? 0 : 1, vertex ? 1 : program->n_modules,
+                                     defines, glue, error);
+    if (status == RL_OK)
+        status = compile(shader, gl, stage, source, program, error);
+    free(source);
+    return status;
+}
+
+static int link_shaders(struct rl_gl *gl, GLuint id, GLuint vertex, GLuint fragment,
+                        const struct rl_plan_program *program, struct rl_error *error) {
+    GLint linked = 0;
+    gl->AttachShader(id, vertex);
+    gl->AttachShader(id, fragment);
+    gl->LinkProgram(id);
+    gl->GetProgramiv(id, GL_LINK_STATUS, &linked);
+    if (linked)
+        return RL_OK;
+    char log[4096] = "";
+    gl->GetProgramInfoLog(id, sizeof log, NULL, log);
+    return rl_modules_fail(program, log, error);
+}
+
+static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl) {
+    p->clip_from_world = gl->GetUniformLocation(p->id, "clip_from_world");
+    p->eye = gl->GetUniformLocation(p->id, "eye");
+    p->specular = gl->GetUniformLocation(p->id, "specular");
+    p->sphere_scale = gl->GetUniformLocation(p->id, "sphere_scale");
+    p->environment_unit = gl->GetUniformLocation(p->id, "environment_unit");
+    p->face = gl->GetUniformLocation(p->id, "face");
+    p->centre = gl->GetUniformLocation(p->id, "centre");
+    p->near_plane = gl->GetUniformLocation(p->id, "near_plane");
+    const struct rl_plan_material *m = p->material;
+    char name[128];
+    for (size_t i = 0; m && i < m->n_effects; i++) {
+        snprintf(name, sizeof name, "%s_params", m->effect[i]->name);
+        p->effect_params[i] = gl->GetUniformLocation(p->id, name);
+    }
+    p->method_params = -1;
+    if (m && m->method) {
+        snprintf(name, sizeof name, "%s_params", m->method->name);
+        p->method_params = gl->GetUniformLocation(p->id, name);
+    }
+}
+
+/* With the texts at hand that the caller frees. */
+static int build(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_plan_program *program,
+                 const char *defines, const char *glue, struct rl_error *error) {
+    GLuint vertex = 0;
+    GLuint fragment = 0;
+    p->id = gl->CreateProgram();
+    int status = assemble_and_compile(&vertex, gl, GL_VERTEX_SHADER, program, defines, NULL, error);
+    if (status == RL_OK)
+        status = assemble_and_compile(&fragment, gl, GL_FRAGMENT_SHADER, program, defines, glue, error);
+    if (status == RL_OK)
+        status = link_shaders(gl, p->id, vertex, fragment, program, error);
+    /* Zero is ignored. */
+    gl->DeleteShader(vertex);
+    gl->DeleteShader(fragment);
+    if (status != RL_OK)
+        return status;
+    find_uniforms(p, gl);
+    return rl_gl_check(gl, "compiling shaders", error);
+}
+
+int rl_program_make(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_plan *plan, size_t index,
+                    size_t n_lights, struct rl_error *error) {
+    const struct rl_plan_program *program = &plan->program[index];
+    char *defines = NULL;
+    char *glue = NULL;
+    *p = (struct rl_gpu_program){0};
+    int status = find_material(&p->material, plan, (int)index, error);
+    if (status == RL_OK)
+        status = write_defines(&defines, plan, p->material, n_lights, error);
+    if (status == RL_OK && p->material && p->material->surface_program == (int)index)
+        status = write_glue(&glue, p->material, error);
+    if (status == RL_OK)
+        status = build(p, gl, program, defines, glue, error);
+    free(defines);
+    free(glue);
+    return status;
+}
+
+void rl_program_free(struct rl_gpu_program *program, const struct rl_gl *gl) {
+    if (program->id)
+        gl->DeleteProgram(program->id);
+    program->id = 0;
+}

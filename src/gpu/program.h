@@ -1,0 +1,29 @@
+/* A compiled program of the plan, with the places of its uniforms. */
+#ifndef RL_GPU_PROGRAM_H
+#define RL_GPU_PROGRAM_H
+
+#include "gpu/gl.h"
+#include "scene/plan.h"
+
+struct rl_gpu_program {
+    GLuint id;
+    const struct rl_plan_material *material; /* the first that uses it; the others agree. NULL: environment */
+    /* -1 where the program has no such uniform, which OpenGL ignores when set. */
+    GLint clip_from_world, eye, specular, sphere_scale, environment_unit;
+    GLint face, centre, near_plane;
+    GLint effect_params[RL_PLAN_EFFECTS_MAX]; /* in the order of the material's effects */
+    GLint method_params;
+};
+
+/* Assembles, compiles and links program `index` of the plan. Loop bounds and sizes known to the plan are
+ * compiled in. */
+int rl_program_make(struct rl_gpu_program *program, struct rl_gl *gl, const struct rl_plan *plan,
+                    size_t index, size_t n_lights, struct rl_error *error);
+void rl_program_free(struct rl_gpu_program *program, const struct rl_gl *gl);
+
+/* The distance in texels, along the normal map's rows laid end to end, between two samples of one pixel: odd,
+ * so that the multiples run through the whole map before they repeat, and near its golden section, so that
+ * they spread. */
+unsigned rl_normal_map_step(int size);
+
+#endif

@@ -1,0 +1,236 @@
+/* Prepares a scene on the GPU according to its plan, frees it, and reads its picture back. */
+#include "gpu/scene.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gpu/textures.h"
+
+static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error) {
+    struct rl_gl *gl = &gs->gpu->gl;
+    GLint largest = 0;
+    gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    if (gs->width > largest || gs->height > largest)
+        return rl_fail(error, RL_ERR_UNAVAILABLE, "image of %d x %d pixels: this OpenGL allows up to %d x %d",
+                       gs->width, gs->height, (int)largest, (int)largest);
+    char what[64];
+    snprintf(what, sizeof what, "an image of %d x %d pixels", gs->width, gs->height);
+    gl->GenFramebuffers(1, &gs->framebuffer);
+    gl->GenRenderbuffers(1, &gs->colour);
+    gl->GenRenderbuffers(1, &gs->depth_stencil);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->colour);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, gs->width, gs->height);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->depth_stencil);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, gs->width, gs->height);
+    int status = rl_gl_check(gl, what, error);
+    if (status != RL_OK)
+        return status;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, gs->colour);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                gs->depth_stencil);
+    return rl_gl_check_framebuffer(gl, what, error);
+}
+
+static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error) {
+    for (size_t i = 0; i < gs->plan->n_programs; i++) {
+        int status = rl_program_make(&gs->program[i], &gs->gpu->gl, gs->plan, i, gs->scene->n_lights, error);
+        if (status != RL_OK)
+            return status;
+        gs->counters.programs++;
+    }
+    return RL_OK;
+}
+
+static int make_tables(struct rl_gpu_scene *gs, struct rl_error *error) {
+    const struct rl_plan *plan = gs->plan;
+    struct rl_gl *gl = &gs->gpu->gl;
+    size_t *bytes = &gs->counters.bytes_uploaded;
+    int status = RL_OK;
+    for (size_t i = 0; i < plan->n_normal_maps && status == RL_OK; i++) {
+        status =
+            rl_normal_map_make(&gs->normal_map[i], gl, &plan->normal_map[i], &plan->settings, bytes, error);
+        gs->counters.textures++;
+    }
+    for (size_t i = 0; i < plan->n_patterns && status == RL_OK; i++)
+        status = rl_pattern_make(&gs->pattern[i], gl, &plan->pattern[i], bytes, error);
+    return status;
+}
+
+static void pack_vec4(float to[RL_EFFECT_PARAMS][4], double from[RL_EFFECT_PARAMS][4], int n) {
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 4; c++)
+            to[i][c] = (float)from[i][c];
+}
+
+static void pack_materials(struct rl_gpu_scene *gs) {
+    for (size_t i = 0; i < gs->plan->n_materials; i++) {
+        const struct rl_plan_material *m = &gs->plan->material[i];
+        const struct rl_material *material = &gs->scene->material[m->material];
+        struct rl_gpu_material *values = &gs->material[i];
+        double params[RL_EFFECT_PARAMS][4] = {{0.0}};
+        for (int c = 0; c < 3; c++)
+            values->specular[c] = (float)material->specular[c];
+        for (size_t j = 0; j < m->n_effects; j++) {
+            m->effect[j]->pack(material, params);
+            pack_vec4(values->effect_params[j], params, m->effect[j]->n_params);
+        }
+        if (m->method && m->method->pack) {
+            struct rl_ellipsoid e = rl_ellipsoid_make(m->rr);
+            m->method->pack(&e, params);
+            pack_vec4(values->method_params, params, m->method->n_params);
+        }
+    }
+}
+
+static int upload_mesh(struct rl_gpu_object *object, struct rl_gpu_scene *gs, const struct rl_mesh *mesh,
+                       struct rl_error *error) {
+    struct rl_gl *gl = &gs->gpu->gl;
+    float(*vertex)[2][3] = malloc(mesh->n_vertices * sizeof *vertex);
+    if (!vertex)
+        return rl_fail_memory(error, "vertices");
+    for (size_t i = 0; i < mesh->n_vertices; i++) {
+        memcpy(vertex[i][0], mesh->position[i], sizeof vertex[i][0]);
+        memcpy(vertex[i][1], mesh->normal[i], sizeof vertex[i][1]);
+    }
+    size_t vertex_bytes = mesh->n_vertices * sizeof *vertex;
+    size_t index_bytes = mesh->n_triangles * sizeof *mesh->triangle;
+    gl->GenVertexArrays(1, &object->vertex_array);
+    gl->GenBuffers(1, &object->vertex_buffer);
+    gl->GenBuffers(1, &object->index_buffer);
+    gl->BindVertexArray(object->vertex_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, object->vertex_buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertex_bytes, vertex, GL_STATIC_DRAW);
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, object->index_buffer);
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)index_bytes, mesh->triangle, GL_STATIC_DRAW);
+    for (GLuint i = 0; i < 2; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof *vertex,
+                                (const void *)(i * sizeof vertex[0][0]));
+    }
+    free(vertex);
+    object->n_indices = (GLsizei)(3 * mesh->n_triangles);
+    gs->counters.bytes_uploaded += vertex_bytes + index_bytes;
+    return rl_gl_check(gl, "uploading a mesh", error);
+}
+
+static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error) {
+    for (size_t i = 0; i < gs->scene->n_objects; i++) {
+        struct rl_gpu_object *object = &gs->object[i];
+        const struct rl_mesh *mesh = &gs->scene->object[i].mesh;
+        int environment = gs->plan->environment[i];
+        if (mesh->n_triangles > INT_MAX / 3)
+            return rl_fail(error, RL_ERR_INPUT,
+                           "object %zu: %zu triangles are more than OpenGL draws at once", i,
+                           mesh->n_triangles);
+        object->material = rl_plan_of_object(gs->plan, gs->scene, i);
+        object->environment = environment >= 0 ? gs->environment[environment] : 0;
+        int status = upload_mesh(object, gs, mesh, error);
+        if (status != RL_OK)
+            return rl_fail_prefix(error, "object %s",
+                                  gs->scene->object[i].name ? gs->scene->object[i].name : "?");
+    }
+    return RL_OK;
+}
+
+static int allocate(struct rl_gpu_scene *gs, struct rl_error *error) {
+    const struct rl_plan *plan = gs->plan;
+    gs->program = calloc(plan->n_programs + 1, sizeof *gs->program);
+    gs->material = calloc(plan->n_materials + 1, sizeof *gs->material);
+    gs->object = calloc(gs->scene->n_objects + 1, sizeof *gs->object);
+    gs->normal_map = calloc(plan->n_normal_maps + 1, sizeof *gs->normal_map);
+    gs->pattern = calloc(plan->n_patterns + 1, sizeof *gs->pattern);
+    gs->environment = calloc(plan->n_environments + 1, sizeof *gs->environment);
+    if (!gs->program || !gs->material || !gs->object || !gs->normal_map || !gs->pattern || !gs->environment)
+        return rl_fail_memory(error, "the scene on the GPU");
+    return RL_OK;
+}
+
+static int prepare(struct rl_gpu_scene *gs, struct rl_error *error) {
+    int (*const steps[])(struct rl_gpu_scene *, struct rl_error *) = {
+        allocate,       make_framebuffer, make_programs, make_tables, rl_environments_make,
+        rl_lights_make, make_objects,
+    };
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        int status = steps[i](gs, error);
+        if (status != RL_OK)
+            return status;
+    }
+    pack_materials(gs);
+    double seconds;
+    return rl_gpu_scene_environment(gs, &seconds, error);
+}
+
+int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struct rl_scene *scene,
+                      const struct rl_plan *plan, struct rl_error *error) {
+    *out = NULL;
+    struct rl_gpu_scene *gs = calloc(1, sizeof *gs);
+    if (!gs)
+        return rl_fail_memory(error, "the scene on the GPU");
+    gs->gpu = gpu;
+    gs->scene = scene;
+    gs->plan = plan;
+    gs->width = plan->settings.width;
+    gs->height = plan->settings.height;
+    int status = prepare(gs, error);
+    if (status != RL_OK) {
+        rl_gpu_scene_free(gs);
+        return status;
+    }
+    *out = gs;
+    return RL_OK;
+}
+
+void rl_gpu_scene_free(struct rl_gpu_scene *gs) {
+    if (!gs)
+        return;
+    const struct rl_gl *gl = &gs->gpu->gl;
+    for (size_t i = 0; gs->program && i < gs->plan->n_programs; i++)
+        rl_program_free(&gs->program[i], gl);
+    for (size_t i = 0; gs->object && i < gs->scene->n_objects; i++) {
+        gl->DeleteVertexArrays(1, &gs->object[i].vertex_array);
+        gl->DeleteBuffers(1, &gs->object[i].vertex_buffer);
+        gl->DeleteBuffers(1, &gs->object[i].index_buffer);
+    }
+    if (gs->normal_map)
+        gl->DeleteTextures((GLsizei)gs->plan->n_normal_maps, gs->normal_map);
+    if (gs->pattern)
+        gl->DeleteBuffers((GLsizei)gs->plan->n_patterns, gs->pattern);
+    rl_environments_free(gs);
+    rl_lights_free(gs);
+    gl->DeleteFramebuffers(1, &gs->framebuffer);
+    gl->DeleteRenderbuffers(1, &gs->colour);
+    gl->DeleteRenderbuffers(1, &gs->depth_stencil);
+    free(gs->program);
+    free(gs->material);
+    free(gs->object);
+    free(gs->normal_map);
+    free(gs->pattern);
+    free(gs);
+}
+
+int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error) {
+    struct rl_gl *gl = &gs->gpu->gl;
+    int status = rl_image_allocate(image, gs->width, gs->height, 4, error);
+    if (status != RL_OK)
+        return status;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    /* OpenGL's rows begin at the bottom. */
+    for (int y = 0; y < gs->height; y++)
+        gl->ReadPixels(0, gs->height - 1 - y, gs->width, 1, GL_RGBA, GL_FLOAT, rl_image_pixel(image, 0, y));
+    status = rl_gl_check(gl, "reading the picture", error);
+    if (status != RL_OK)
+        rl_image_clear(image);
+    return status;
+}
+
+struct rl_gpu_counters rl_gpu_scene_counters(const struct rl_gpu_scene *gs) {
+    return gs->counters;
+}
+
+void rl_gpu_scene_reset_counters(struct rl_gpu_scene *gs) {
+    gs->counters = (struct rl_gpu_counters){0};
+}

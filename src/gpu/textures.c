@@ -1,0 +1,187 @@
+/* Bakes normal maps and patterns in double precision and uploads them; allocates cube maps. */
+#include "gpu/textures.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "model/ellipsoid.h"
+
+struct rl_texel_storage rl_texel_storage(enum rl_texel_format format) {
+    static const struct rl_texel_storage storage[RL_TEXEL_FORMATS] = {
+        [RL_TEXEL_RGBA8] = {GL_RGBA8, 4},
+        [RL_TEXEL_RGB10A2] = {GL_RGB10_A2, 4},
+        [RL_TEXEL_R11G11B10F] = {GL_R11F_G11F_B10F, 4},
+        [RL_TEXEL_RGBA16] = {GL_RGBA16, 8},
+        [RL_TEXEL_RGBA16F] = {GL_RGBA16F, 8},
+        [RL_TEXEL_RGBA32F] = {GL_RGBA32F, 16},
+    };
+    return storage[format];
+}
+
+float rl_texel_unit(enum rl_texel_format format, float radiance_scale) {
+    if (!(radiance_scale > 0.0f))
+        return 1.0f;
+    switch (format) {
+    case RL_TEXEL_R11G11B10F:
+    case RL_TEXEL_RGBA16F:
+    case RL_TEXEL_RGBA32F: {
+        int exponent = 0;
+        (void)frexpf(radiance_scale, &exponent);
+        return ldexpf(1.0f, exponent < FLT_MAX_EXP ? exponent : FLT_MAX_EXP - 1);
+    }
+    default:
+        return radiance_scale;
+    }
+}
+
+/* (v + 1)/2 in steps of 1/levels. */
+static unsigned quantize(double v, unsigned levels) {
+    return (unsigned)lround((v + 1.0) / 2.0 * levels);
+}
+
+static void store_float(void *data, size_t i, struct rl_microfacet h) {
+    float *to = (float *)data + 4 * i;
+    to[0] = (float)((h.x + 1.0) / 2.0);
+    to[1] = (float)((h.y + 1.0) / 2.0);
+    to[2] = (float)((h.z + 1.0) / 2.0);
+    to[3] = 1.0f;
+}
+
+static void store_8(void *data, size_t i, struct rl_microfacet h) {
+    uint8_t *to = (uint8_t *)data + 4 * i;
+    to[0] = (uint8_t)quantize(h.x, 255);
+    to[1] = (uint8_t)quantize(h.y, 255);
+    to[2] = (uint8_t)quantize(h.z, 255);
+    to[3] = 255;
+}
+
+static void store_10(void *data, size_t i, struct rl_microfacet h) {
+    uint32_t *to = (uint32_t *)data + i;
+    *to = quantize(h.x, 1023) | quantize(h.y, 1023) << 10 | quantize(h.z, 1023) << 20 | 3u << 30;
+}
+
+/* Any other number of bits in a texel of 16, within half a step of those 16. */
+static void store_16(void *data, size_t i, struct rl_microfacet h, int bits) {
+    uint16_t *to = (uint16_t *)data + 4 * i;
+    unsigned levels = (1u << bits) - 1;
+    const double v[3] = {h.x, h.y, h.z};
+    for (int c = 0; c < 3; c++)
+        to[c] = (uint16_t)lround((double)quantize(v[c], levels) * 65535.0 / levels);
+    to[3] = UINT16_MAX;
+}
+
+static void store(void *data, size_t i, struct rl_microfacet h, int bits) {
+    switch (bits) {
+    case RL_NORMAL_BITS_HALF:
+    case RL_NORMAL_BITS_FLOAT:
+        store_float(data, i, h);
+        break;
+    case 8:
+        store_8(data, i, h);
+        break;
+    case 10:
+        store_10(data, i, h);
+        break;
+    default:
+        store_16(data, i, h, bits);
+    }
+}
+
+static struct rl_normal_texels layout(int bits) {
+    switch (bits) {
+    case RL_NORMAL_BITS_HALF: /* OpenGL rounds to half on upload */
+        return (struct rl_normal_texels){NULL, 16, GL_RGBA16F, GL_RGBA, GL_FLOAT};
+    case RL_NORMAL_BITS_FLOAT:
+        return (struct rl_normal_texels){NULL, 16, GL_RGBA32F, GL_RGBA, GL_FLOAT};
+    case 8:
+        return (struct rl_normal_texels){NULL, 4, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case 10:
+        return (struct rl_normal_texels){NULL, 4, GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
+    default:
+        return (struct rl_normal_texels){NULL, 8, GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
+    }
+}
+
+int rl_normal_texels_make(struct rl_normal_texels *texels, const struct rl_plan_normal_map *map,
+                          const struct rl_settings *settings, struct rl_error *error) {
+    *texels = layout(settings->normal_bits);
+    long count = (long)settings->normal_size * settings->normal_size;
+    texels->bytes *= (size_t)count;
+    texels->data = malloc(texels->bytes);
+    if (!texels->data)
+        return rl_fail_memory(error, "the normal map");
+    struct rl_ellipsoid e = rl_ellipsoid_make(map->rr);
+    void *data = texels->data;
+    /* Every texel has random numbers of its own, so that threads change nothing. */
+#pragma omp parallel for schedule(static)
+    for (long i = 0; i < count; i++)
+        store(data, (size_t)i, map->method->texel(&e, settings->seed, (uint64_t)i), settings->normal_bits);
+    return RL_OK;
+}
+
+/* No filter mixes normals or lights, and there are no smaller levels. */
+static void use_single_texels(const struct rl_gl *gl, GLenum target) {
+    gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+int rl_normal_map_make(GLuint *texture, struct rl_gl *gl, const struct rl_plan_normal_map *map,
+                       const struct rl_settings *settings, size_t *bytes, struct rl_error *error) {
+    struct rl_normal_texels texels;
+    int size = settings->normal_size;
+    int status = rl_normal_texels_make(&texels, map, settings, error);
+    if (status != RL_OK)
+        return status;
+    gl->GenTextures(1, texture);
+    gl->BindTexture(GL_TEXTURE_2D, *texture);
+    use_single_texels(gl, GL_TEXTURE_2D);
+    gl->TexStorage2D(GL_TEXTURE_2D, 1, texels.internal_format, size, size);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size, size, texels.format, texels.type, texels.data);
+    free(texels.data);
+    *bytes += texels.bytes;
+    return rl_gl_check(gl, "the normal map", error);
+}
+
+int rl_pattern_make(GLuint *buffer, struct rl_gl *gl, const struct rl_plan_pattern *pattern, size_t *bytes,
+                    struct rl_error *error) {
+    struct rl_microfacet microfacet[RL_SAMPLES_MAX];
+    float data[RL_SAMPLES_MAX][4];
+    struct rl_ellipsoid e = rl_ellipsoid_make(pattern->rr);
+    pattern->method->pattern(&e, pattern->samples, microfacet);
+    for (int i = 0; i < pattern->samples; i++) {
+        data[i][0] = (float)microfacet[i].x;
+        data[i][1] = (float)microfacet[i].y;
+        data[i][2] = (float)microfacet[i].z;
+        data[i][3] = (float)microfacet[i].weight;
+    }
+    size_t size = (size_t)pattern->samples * sizeof data[0];
+    gl->GenBuffers(1, buffer);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, *buffer);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, data, GL_STATIC_DRAW);
+    *bytes += size;
+    return rl_gl_check(gl, "the pattern", error);
+}
+
+int rl_cube_make(GLuint *texture, struct rl_gl *gl, const struct rl_settings *settings,
+                 struct rl_error *error) {
+    GLint largest = 0;
+    gl->GetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &largest);
+    if (settings->env_size > largest)
+        return rl_fail(error, RL_ERR_UNAVAILABLE,
+                       "environment map of %d texels an edge: this OpenGL allows up to %d",
+                       settings->env_size, (int)largest);
+    gl->GenTextures(1, texture);
+    gl->BindTexture(GL_TEXTURE_CUBE_MAP, *texture);
+    use_single_texels(gl, GL_TEXTURE_CUBE_MAP);
+    gl->TexStorage2D(GL_TEXTURE_CUBE_MAP, 1, rl_texel_storage(settings->env_format).internal_format,
+                     settings->env_size, settings->env_size);
+    char what[64];
+    snprintf(what, sizeof what, "an environment map of 6 x %d x %d texels", settings->env_size,
+             settings->env_size);
+    return rl_gl_check(gl, what, error);
+}
