@@ -11,15 +11,17 @@
 #include "base/files.h"
 #include "image/image.h"
 #include "image/oiio.h"
+#include "image/png_check.h"
 #include "image/srgb.h"
 
 /* Attributes that belong to a file's packing and not to its picture. */
 static bool steers_packing(const char *name)
 {
-    static const char *const prefix[] = {"oiio:", "openexr:", "exr:", "png:"};
-    static const char *const whole[] = {"compression",    "Orientation",       "PixelAspectRatio",
-                                        "ResolutionUnit", "screenWindowWidth", "XResolution",
-                                        "YResolution"};
+    static const char *const prefix[] = {"bmp:",     "dpx:", "exr:", "gif:",   "jpeg:", "oiio:",
+                                         "openexr:", "png:", "pnm:", "targa:", "tiff:", "webp:"};
+    static const char *const whole[] = {"compression",  "Orientation",    "PixelAspectRatio",
+                                        "planarconfig", "ResolutionUnit", "screenWindowWidth",
+                                        "XResolution",  "YResolution"};
     for (size_t i = 0; i < sizeof prefix / sizeof prefix[0]; i++)
         if (strncasecmp(name, prefix[i], strlen(prefix[i])) == 0)
             return true;
@@ -45,6 +47,17 @@ static void join_lines(struct rl_error *error)
 
 /* ---- Reading ---- */
 
+/* Colour spaces by OpenImageIO's names. Rec709 is what it calls PNM files, which are in practice sRGB. */
+static bool is_srgb(const struct rl_oiio_header *h)
+{
+    return strcasecmp(h->colour_space, "sRGB") == 0 || strcasecmp(h->colour_space, "Rec709") == 0;
+}
+
+static bool is_linear(const struct rl_oiio_header *h)
+{
+    return !h->integers || strcasecmp(h->colour_space, "Linear") == 0;
+}
+
 static int check_header(const struct rl_oiio_header *h, const char *path, struct rl_error *error)
 {
     if (h->has_depth)
@@ -62,10 +75,7 @@ static int check_header(const struct rl_oiio_header *h, const char *path, struct
                            "%s: %d x %d pixels with %d channels, 1 to %d values in all expected", path, width,
                            height, h->channels, RL_IMAGE_VALUES_MAX);
     }
-    /* "sRGB", "Linear", "GammaCorrected" with a number, or nothing; the rest (camera logs, say) is not for
-     * us. */
-    bool known = !*h->colour_space || strcasecmp(h->colour_space, "sRGB") == 0 ||
-                 strcasecmp(h->colour_space, "Linear") == 0 || h->gamma > 0.0;
+    bool known = !*h->colour_space || is_srgb(h) || is_linear(h) || h->gamma > 0.0;
     if (h->integers && !known)
         return rl_fail(error, RL_ERR_INPUT, "%s: colour space %s, sRGB, linear or a gamma expected", path,
                        h->colour_space);
@@ -77,9 +87,9 @@ static void paste(struct rl_image *image, const struct rl_oiio_header *h, const 
 {
     size_t channels = (size_t)image->channels;
     for (int y = 0; y < h->stored_height; y++) {
-        long long to_y = (long long)y + h->y;
+        long long to_y = y + h->y;
         for (int x = 0; x < h->stored_width; x++) {
-            long long to_x = (long long)x + h->x;
+            long long to_x = x + h->x;
             const float *from = stored + ((size_t)y * (size_t)h->stored_width + (size_t)x) * channels;
             if (to_x >= 0 && to_x < image->width && to_y >= 0 && to_y < image->height)
                 memcpy(rl_image_pixel(image, (int)to_x, (int)to_y), from, channels * sizeof *from);
@@ -106,8 +116,8 @@ static int read_pixels(struct rl_image *image, const struct rl_oiio *oiio, void 
 /* To linear light, then to associated alpha. */
 static void decode(struct rl_image *image, const struct rl_oiio_header *h)
 {
-    bool linear = !h->integers || strcasecmp(h->colour_space, "Linear") == 0;
-    bool power = h->gamma > 0.0 && strcasecmp(h->colour_space, "sRGB") != 0;
+    bool linear = is_linear(h);
+    bool power = h->gamma > 0.0 && !is_srgb(h);
     int alpha = rl_image_channel(image, "A");
     if (linear && !(alpha >= 0 && h->unassociated_alpha))
         return;
@@ -169,10 +179,14 @@ int rl_image_read(struct rl_image *image, const char *path, struct rl_error *err
     if (info.st_size == 0)
         return rl_fail(error, RL_ERR_INPUT, "%s: empty file, an image expected", path);
 
+    int status = rl_png_check(path, error);
+    if (status != RL_OK)
+        return status;
+
     const struct rl_oiio *oiio = NULL;
     void *reader = NULL;
     struct rl_oiio_header header;
-    int status = rl_oiio_load(&oiio, error);
+    status = rl_oiio_load(&oiio, error);
     if (status != RL_OK)
         return status;
     status = oiio->open(&reader, &header, path, error);

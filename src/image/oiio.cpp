@@ -59,8 +59,8 @@ void describe(rl_oiio_header *header, const OIIO::ImageSpec &spec)
     *header = rl_oiio_header{};
     header->width = spec.full_width;
     header->height = spec.full_height;
-    header->x = spec.x - spec.full_x;
-    header->y = spec.y - spec.full_y;
+    header->x = static_cast<long long>(spec.x) - spec.full_x;
+    header->y = static_cast<long long>(spec.y) - spec.full_y;
     header->stored_width = spec.width;
     header->stored_height = spec.height;
     header->channels = spec.nchannels;
