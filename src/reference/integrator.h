@@ -21,7 +21,12 @@
 
 /* The lights as the integrator wants them: every polygon of every light with its radiance. */
 struct rl_light_set;
-int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights, struct rl_error *error);
+int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights,
+                      struct rl_error *error);
+/* Planar polygons given directly, two-sided, of radiance 1: polygon i has n_vertices[i] >= 3 vertices. RL_ERR_INPUT
+ * names the polygon that is not so. */
+int rl_light_set_from_polygons(struct rl_light_set **set, const rl_vec3 *const vertices[],
+                               const size_t n_vertices[], size_t n_polygons, struct rl_error *error);
 void rl_light_set_free(struct rl_light_set *set);
 
 struct rl_integrate_options {
@@ -38,7 +43,8 @@ struct rl_estimate {
 };
 
 /* One point. Thread-safe: `set` is only read. N and V unit vectors; V.N <= 0 gives 0. */
-void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *surface, const struct rl_ellipsoid *e,
-                        const struct rl_light_set *set, const struct rl_integrate_options *options);
+void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *surface,
+                        const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                        const struct rl_integrate_options *options);
 
 #endif

@@ -12,10 +12,10 @@
 
 struct rl_render_stats {
     double seconds;
-    size_t foreground;     /* pixels */
-    size_t unconverged;    /* pixels whose error estimate stayed above the tolerance */
-    double worst_error;    /* largest error estimate of any pixel and channel */
-    size_t evaluations;    /* lines */
+    size_t foreground;  /* pixels */
+    size_t unconverged; /* pixels whose error estimate stayed above the tolerance */
+    double worst_error; /* largest error estimate of any pixel and channel */
+    size_t evaluations; /* lines */
     int threads;
 };
 

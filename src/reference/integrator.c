@@ -1,0 +1,100 @@
+/* L_o at one point: the outer integral over theta (see integrator.h; lines.h and inner.h have the mathematics). */
+#include "reference/integrator.h"
+
+#include <math.h>
+#include <stdalign.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference/lines.h"
+#include "reference/quadrature.h"
+
+/* Enough for the lights of nearly every scene; more is allocated. */
+enum { MEMORY_AT_FIRST = 48 * 1024 };
+
+static bool line_at(double value[RL_QUADRATURE_COMPONENTS], double theta, void *user)
+{
+    return rl_lines_integrate(value, user, theta);
+}
+
+static int by_theta(const void *a, const void *b)
+{
+    double x = ((const struct rl_break *)a)->theta, y = ((const struct rl_break *)b)->theta;
+    return (x > y) - (x < y);
+}
+
+/* Sorts, and leaves one break where several coincide. */
+static size_t merge_breaks(struct rl_break *breaks, size_t n)
+{
+    size_t kept = 0;
+    qsort(breaks, n, sizeof *breaks, by_theta);
+    for (size_t i = 0; i < n; i++)
+        if (kept > 0 && breaks[i].theta - breaks[kept - 1].theta < 1e-15)
+            breaks[kept - 1].touch |= breaks[i].touch;
+        else
+            breaks[kept++] = breaks[i];
+    return kept;
+}
+
+/* Panels between the breaks of [0, pi), which is a circle: the last one runs past pi to the first break. */
+static size_t panels_between(struct rl_panel *panels, const struct rl_break *breaks, size_t n_breaks)
+{
+    if (n_breaks == 0) {
+        panels[0] = (struct rl_panel){.a = 0.0, .b = RL_PI};
+        return 1;
+    }
+    for (size_t i = 0; i < n_breaks; i++) {
+        const struct rl_break *to = i + 1 < n_breaks ? &breaks[i + 1] : &breaks[0];
+        panels[i] = (struct rl_panel){.a = breaks[i].theta,
+                                      .b = to->theta + (i + 1 < n_breaks ? 0.0 : RL_PI),
+                                      .root_at_a = breaks[i].touch,
+                                      .root_at_b = to->touch};
+    }
+    return n_breaks;
+}
+
+static void integrate_theta(struct rl_estimate *estimate, const struct rl_lines *lines, void *memory,
+                            const struct rl_integrate_options *options)
+{
+    struct rl_panel *panels = memory;
+    struct rl_break *breaks = (struct rl_break *)(panels + 3 * lines->n_edges + 1);
+    size_t n = panels_between(panels, breaks, merge_breaks(breaks, rl_lines_breaks(breaks, lines)));
+    const struct rl_quadrature_options quadrature = {
+        .tolerance = RL_PI * options->tolerance * lines->set->brightest,
+        .max_evaluations = options->max_evaluations,
+    };
+    struct rl_quadrature_result result;
+    rl_quadrature(&result, line_at, (void *)lines, panels, n, &quadrature);
+    estimate->evaluations = result.evaluations;
+    estimate->converged = result.converged;
+    for (int c = 0; c < 3; c++) {
+        estimate->value[c] = result.value[c] / RL_PI;
+        estimate->error[c] = (result.error[c] + result.value[3]) / RL_PI;
+    }
+}
+
+void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *surface,
+                        const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                        const struct rl_integrate_options *options)
+{
+    memset(estimate, 0, sizeof *estimate);
+    estimate->converged = true;
+    if (!(v3_dot(surface->N, surface->V) > 0.0) || set->n_polygons == 0 || !(set->brightest > 0.0))
+        return;
+
+    size_t lines_size = rl_lines_size(set), n_breaks = 6 * set->n_vertices + 1;
+    size_t size = lines_size + n_breaks * (sizeof(struct rl_panel) + sizeof(struct rl_break));
+    alignas(16) char at_first[MEMORY_AT_FIRST];
+    char *owned = size > sizeof at_first ? malloc(size) : NULL;
+    if (size > sizeof at_first && !owned) {
+        estimate->converged = false;
+        estimate->error[0] = estimate->error[1] = estimate->error[2] = INFINITY;
+        return;
+    }
+    char *memory = owned ? owned : at_first;
+    struct rl_lines lines;
+    rl_lines_make(&lines, memory, surface, e, set, options);
+    if (lines.n_edges > 0)
+        integrate_theta(estimate, &lines, memory + lines_size, options);
+    free(owned);
+}

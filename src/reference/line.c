@@ -1,0 +1,306 @@
+/* One line: its crossings with the lights' edges, the stretches on which a light is seen, and the integral over them (see lines.h). */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+
+#include "reference/lines.h"
+
+/* A line's own axes, and the closed forms of G along it once they are needed. */
+struct line {
+    double cos_theta, sin_theta;
+    double v_t, v_b, v_n;
+    bool has_zones;
+    struct rl_inner_line zones;
+};
+
+/* Sums radiance over stretches given in order; stretches of one radiance that touch become one. */
+struct sweep {
+    const struct rl_lines *lines;
+    struct line *line;
+    double *value;
+    size_t radiance;          /* what is seen now: an index in the set, or NOTHING */
+    struct rl_crossing start; /* from here on */
+};
+#define NOTHING SIZE_MAX
+
+/* The place where the line's direction is L. */
+static struct rl_crossing place(const struct rl_lines *lines, const struct line *line, double l_t, double l_n)
+{
+    /* H is along V + L; near L = -V that vanishes, but H is also perpendicular to V - L. */
+    double h_t = line->v_t + l_t, h_n = line->v_n + l_n;
+    double hh = h_t * h_t + h_n * h_n;
+    bool full = !lines->attenuation || 4.0 * h_n * fmin(line->v_n, l_n) >= hh;
+    if (hh < 0.25 * (line->v_t * line->v_t + line->v_n * line->v_n)) {
+        double sign = line->v_t >= l_t ? 1.0 : -1.0;
+        h_t = sign * (l_n - line->v_n);
+        h_n = sign * (line->v_t - l_t);
+        hh = h_t * h_t + h_n * h_n;
+    } else if (h_n < 0.0) {
+        h_t = -h_t;
+        h_n = -h_n;
+    }
+    double scale = 1.0 / sqrt(hh);
+    struct rl_crossing at = {.normal = {h_t * scale, h_n * scale}, .l_t = l_t, .l_n = l_n, .full = full};
+    at.delta = lines->stretch == 1.0 ? at.normal : rl_inner_unstretch(at.normal, lines->stretch);
+    return at;
+}
+
+/* Where the line's circle crosses the great circle of unit normal m: upwards (b.L growing along m x L) or downwards. */
+static struct rl_crossing cross(const struct rl_lines *lines, const struct line *line, rl_vec3 m, bool up)
+{
+    double m_t = line->cos_theta * m.x + line->sin_theta * m.y;
+    double m_b = line->cos_theta * m.y - line->sin_theta * m.x;
+    double rr = fmax(DBL_MIN, m_t * m_t + m.z * m.z);
+    double d = sqrt(fmax(0.0, rr - line->v_b * line->v_b));
+    d = up ? d : -d;
+    double along = line->v_b * m_b;
+    return place(lines, line, (along * m_t + d * m.z) / rr, (along * m.z - d * m_t) / rr);
+}
+
+static size_t cross_polygon(struct rl_crossing *out, const struct rl_lines *lines, const struct line *line,
+                            struct rl_seen_polygon *polygon)
+{
+    const struct rl_edge *edge = &lines->edge[polygon->first];
+    double c = line->cos_theta, s = line->sin_theta;
+    size_t n = 0;
+    bool first_side = c * edge->q_y - s * edge->q_x >= 0.0, side = first_side;
+    for (size_t i = 0; i < polygon->n; i++) {
+        const struct rl_edge *it = &edge[i];
+        bool next = i + 1 < polygon->n ? c * it[1].q_y - s * it[1].q_x >= 0.0 : first_side;
+        if (side != next) {
+            out[n] = cross(lines, line, it->m, next);
+            out[n++].sign = next ? -1 : 1;
+        } else {
+            /* Both ends on one side: the arc may reach over to the other in between, where b.p has its extremum. */
+            double from = c * it->from_y - s * it->from_x, to = c * it->to_y - s * it->to_x;
+            double m_t = c * it->m.x + s * it->m.y;
+            if ((side ? from < 0.0 && to > 0.0 && line->v_b > 0.0
+                      : from > 0.0 && to < 0.0 && line->v_b < 0.0) &&
+                m_t * m_t + it->m.z * it->m.z > line->v_b * line->v_b) {
+                out[n] = cross(lines, line, it->m, false);
+                out[n++].sign = 1;
+                out[n] = cross(lines, line, it->m, true);
+                out[n++].sign = -1;
+            }
+        }
+        side = next;
+    }
+    for (size_t i = 0; i < n; i++)
+        out[i].polygon = polygon;
+    return n;
+}
+
+/* Whether the polygon is seen at delta = -pi/2, from its crossings on this line. */
+static int winding_at_start(const struct rl_lines *lines, const struct rl_seen_polygon *polygon,
+                            const struct rl_crossing *crossing, size_t n)
+{
+    if (lines->attenuation)
+        return 0; /* below the horizon */
+    /* At delta = 0 the line passes the mirror direction, of which it is known whether it hits the polygon. Where an edge lies
+     * too near to tell on which side of it that is, the first crossing decides: what is left was seen before. */
+    int before_mirror = 0;
+    double nearest = 1.0;
+    const struct rl_crossing *first = NULL;
+    for (size_t i = 0; i < n; i++) {
+        nearest = fmin(nearest, fabs(crossing[i].normal.s));
+        before_mirror += crossing[i].normal.s < 0.0 ? crossing[i].sign : 0;
+        if (!first || crossing[i].normal.s < first->normal.s)
+            first = &crossing[i];
+    }
+    if (!first || nearest > 1e-9)
+        return (polygon->holds_mirror ? 1 : 0) - before_mirror;
+    return first->sign < 0 ? 1 : 0;
+}
+
+/* Shell sort with Ciura's gaps: crossings are few, and arrive nearly in order. */
+static void sort_crossings(struct rl_crossing *crossing, size_t n)
+{
+    static const size_t gaps[] = {1750, 701, 301, 132, 57, 23, 10, 4, 1};
+    for (size_t g = 0; g < sizeof gaps / sizeof gaps[0]; g++)
+        for (size_t i = gaps[g]; i < n; i++) {
+            struct rl_crossing moved = crossing[i];
+            size_t at = i;
+            for (; at >= gaps[g] && crossing[at - gaps[g]].normal.s > moved.normal.s; at -= gaps[g])
+                crossing[at] = crossing[at - gaps[g]];
+            crossing[at] = moved;
+        }
+}
+
+static double inner_integral(const struct rl_lines *lines, struct line *line, const struct rl_crossing *a,
+                             const struct rl_crossing *b)
+{
+    if (a->full && b->full)
+        return rl_inner_mass(lines->e, a->delta, b->delta);
+    if (!line->has_zones)
+        rl_inner_line_make(&line->zones, lines->e, lines->stretch, line->v_t, line->v_n);
+    line->has_zones = true;
+    return rl_inner_attenuated(&line->zones, lines->e, lines->stretch, a->delta, b->delta);
+}
+
+/* What an error of a few units in the last place of the normal's angle does to U. */
+static double rounding(const struct rl_lines *lines, const struct rl_crossing *at)
+{
+    double density = rl_ellipsoid_pdf_sincos(lines->e, at->delta.s, at->delta.c);
+    double l = lines->stretch, lc = l * at->normal.c, s = at->normal.s;
+    if (l < 1.0)
+        density *= l / fmax(DBL_MIN, lc * lc + s * s);
+    return fmin(1.0, 8.0 * DBL_EPSILON * density);
+}
+
+/* From `at` on, light of this radiance is seen. */
+static void switch_to(struct sweep *sweep, size_t radiance, const struct rl_crossing *at)
+{
+    if (radiance == sweep->radiance)
+        return;
+    if (sweep->radiance != NOTHING) {
+        const struct rl_light_set *set = sweep->lines->set;
+        double inner = inner_integral(sweep->lines, sweep->line, &sweep->start, at);
+        for (int c = 0; c < 3; c++)
+            sweep->value[c] += inner * set->radiance[sweep->radiance][c];
+        sweep->value[3] +=
+            set->brightest * (rounding(sweep->lines, &sweep->start) + rounding(sweep->lines, at));
+    }
+    sweep->radiance = radiance;
+    sweep->start = *at;
+}
+
+/* The direction L whose normal halves the angle between the normals at a and b, as place. */
+static struct rl_crossing middle(const struct rl_lines *lines, const struct line *line,
+                                 const struct rl_crossing *a, const struct rl_crossing *b)
+{
+    double s = a->normal.s + b->normal.s, c = a->normal.c + b->normal.c;
+    double scale = s * s + c * c > 0.0 ? 1.0 / sqrt(s * s + c * c) : 0.0;
+    s *= scale;
+    c *= scale;
+    double twice = 2.0 * (line->v_t * s + line->v_n * c);
+    return place(lines, line, twice * s - line->v_t, twice * c - line->v_n);
+}
+
+static double nearness(const struct line *line, const struct rl_seen_polygon *polygon,
+                       const struct rl_crossing *at)
+{
+    double w_t = line->cos_theta * polygon->nearness.x + line->sin_theta * polygon->nearness.y;
+    double w_b = line->cos_theta * polygon->nearness.y - line->sin_theta * polygon->nearness.x;
+    return w_t * at->l_t - w_b * line->v_b + polygon->nearness.z * at->l_n;
+}
+
+/* The polygon hit first; of those that hit together, the set's first. */
+static struct rl_seen_polygon *nearest(struct rl_seen_polygon *const active[], size_t n,
+                                       const struct line *line, const struct rl_crossing *at)
+{
+    struct rl_seen_polygon *best = active[0];
+    double most = nearness(line, best, at);
+    for (size_t i = 1; i < n; i++) {
+        double near = nearness(line, active[i], at);
+        double slack = 1e-13 * fabs(most);
+        if (near > most + slack || (near >= most - slack && active[i] < best)) {
+            best = active[i];
+            most = near;
+        }
+    }
+    return best;
+}
+
+/* Several polygons of different radiance between a and b: the nearest is seen. Planes of polygons that pass through one another
+ * meet the line in closed form too (their nearness is equal on a great circle), and there the stretch is split. */
+static void sweep_overlap(struct sweep *sweep, struct rl_seen_polygon *const active[], size_t n,
+                          const struct rl_crossing *a, const struct rl_crossing *b, int depth)
+{
+    struct rl_crossing mid = middle(sweep->lines, sweep->line, a, b), low = *a, high = *b;
+    const struct rl_seen_polygon *seen = nearest(active, n, sweep->line, &mid);
+    for (size_t i = 0; i < n && depth > 0; i++) {
+        rl_vec3 m = v3_normalize(v3_sub(active[i]->nearness, seen->nearness));
+        if (active[i]->radiance == seen->radiance || !(v3_dot(m, m) > 0.0))
+            continue;
+        for (int up = 0; up < 2; up++) {
+            struct rl_crossing at = cross(sweep->lines, sweep->line, m, up);
+            if (at.normal.s > low.normal.s && at.normal.s <= mid.normal.s)
+                low = at;
+            else if (at.normal.s < high.normal.s && at.normal.s > mid.normal.s)
+                high = at;
+        }
+    }
+    if (low.normal.s > a->normal.s)
+        sweep_overlap(sweep, active, n, a, &low, depth - 1);
+    switch_to(sweep, seen->radiance, &low);
+    if (high.normal.s < b->normal.s)
+        sweep_overlap(sweep, active, n, &high, b, depth - 1);
+}
+
+/* What is seen from crossing a to crossing b. */
+static void sweep_stretch(struct sweep *sweep, struct rl_seen_polygon *const active[], size_t n,
+                          const struct rl_crossing *a, const struct rl_crossing *b)
+{
+    enum { DEEPEST = 16 };
+    if (n == 0) {
+        switch_to(sweep, NOTHING, a);
+        return;
+    }
+    for (size_t i = 1; i < n; i++)
+        if (active[i]->radiance != active[0]->radiance) {
+            if (b->normal.s > a->normal.s)
+                sweep_overlap(sweep, active, n, a, b, DEEPEST);
+            return;
+        }
+    switch_to(sweep, active[0]->radiance, a);
+}
+
+/* Keeps the list of polygons seen through up to date; any winding but 0 counts as inside. */
+static size_t wind(struct rl_seen_polygon *active[], size_t n, struct rl_seen_polygon *polygon, int sign)
+{
+    int before = polygon->winding;
+    polygon->winding += sign;
+    if (before == 0 && polygon->winding != 0) {
+        active[n++] = polygon;
+    } else if (before != 0 && polygon->winding == 0) {
+        size_t at = 0;
+        while (active[at] != polygon)
+            at++;
+        active[at] = active[--n];
+    }
+    return n;
+}
+
+bool rl_lines_integrate(double value[4], const struct rl_lines *lines, double theta)
+{
+    struct line line = {.v_n = lines->v_n};
+    sincos(theta, &line.sin_theta, &line.cos_theta);
+    line.v_t = line.cos_theta * lines->v_x + line.sin_theta * lines->v_y;
+    line.v_b = line.cos_theta * lines->v_y - line.sin_theta * lines->v_x;
+    value[0] = value[1] = value[2] = value[3] = 0.0;
+
+    struct rl_crossing *crossing = lines->crossing;
+    size_t n = 0, n_active = 0;
+    for (size_t i = 0; i < lines->n_polygons; i++) {
+        struct rl_seen_polygon *polygon = &lines->polygon[i];
+        size_t more = cross_polygon(crossing + n, lines, &line, polygon);
+        polygon->winding = 0;
+        n_active =
+            wind(lines->active, n_active, polygon, winding_at_start(lines, polygon, crossing + n, more));
+        n += more;
+    }
+    if (n == 0 && n_active == 0)
+        return false;
+    sort_crossings(crossing, n);
+
+    const struct rl_crossing ends[2] = {
+        {.normal = {-1.0, 0.0},
+         .delta = {-1.0, 0.0},
+         .l_t = line.v_t,
+         .l_n = -line.v_n,
+         .full = !lines->attenuation},
+        {.normal = {1.0, 0.0},
+         .delta = {1.0, 0.0},
+         .l_t = line.v_t,
+         .l_n = -line.v_n,
+         .full = !lines->attenuation},
+    };
+    struct sweep sweep = {.lines = lines, .line = &line, .value = value, .radiance = NOTHING};
+    sweep_stretch(&sweep, lines->active, n_active, &ends[0], n > 0 ? &crossing[0] : &ends[1]);
+    for (size_t i = 0; i < n; i++) {
+        n_active = wind(lines->active, n_active, crossing[i].polygon, crossing[i].sign);
+        sweep_stretch(&sweep, lines->active, n_active, &crossing[i], i + 1 < n ? &crossing[i + 1] : &ends[1]);
+    }
+    switch_to(&sweep, NOTHING, &ends[1]);
+    return true;
+}

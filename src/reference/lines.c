@@ -1,0 +1,222 @@
+/* Sees the lights from a point: frame, horizon, edges, and where lines break (see lines.h). */
+#include "reference/lines.h"
+
+#include "model/frame.h"
+
+static size_t aligned(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+/* Cutting at the horizon at most doubles a polygon's vertices; an edge has at most two crossings, and a line two ends. */
+static size_t most_edges(const struct rl_light_set *set)
+{
+    return 2 * set->n_vertices;
+}
+static size_t most_crossings(const struct rl_light_set *set)
+{
+    return 2 * most_edges(set) + 2;
+}
+
+size_t rl_lines_size(const struct rl_light_set *set)
+{
+    return aligned(most_edges(set) * sizeof(struct rl_edge)) +
+           aligned(most_crossings(set) * sizeof(struct rl_crossing)) +
+           aligned(set->n_polygons * sizeof(struct rl_seen_polygon)) +
+           aligned(set->n_polygons * sizeof(struct rl_seen_polygon *));
+}
+
+static void lay_out(struct rl_lines *lines, char *memory)
+{
+    const struct rl_light_set *set = lines->set;
+    lines->edge = (struct rl_edge *)memory;
+    memory += aligned(most_edges(set) * sizeof(struct rl_edge));
+    lines->crossing = (struct rl_crossing *)memory;
+    memory += aligned(most_crossings(set) * sizeof(struct rl_crossing));
+    lines->polygon = (struct rl_seen_polygon *)memory;
+    memory += aligned(set->n_polygons * sizeof(struct rl_seen_polygon));
+    lines->active = (struct rl_seen_polygon **)memory;
+}
+
+static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)
+{
+    return v3(v3_dot(f->T, a), v3_dot(f->B, a), v3_dot(f->N, a));
+}
+
+/* One vertex of a polygon in the order that puts the light where m.L > 0, and the edge that starts there. */
+struct corner {
+    rl_vec3 p, edge;
+};
+
+static struct corner corner(const struct rl_light_set *set, const struct rl_set_polygon *polygon,
+                            const struct rl_frame *frame, rl_vec3 P, bool reversed, size_t i)
+{
+    size_t at = reversed ? polygon->n - 1 - i : i;
+    size_t next = reversed ? (at + polygon->n - 1) % polygon->n : (at + 1) % polygon->n;
+    rl_vec3 edge =
+        reversed ? v3_scale(-1.0, set->edge[polygon->first + next]) : set->edge[polygon->first + at];
+    return (struct corner){to_frame(frame, v3_sub(set->vertex[polygon->first + at], P)),
+                           to_frame(frame, edge)};
+}
+
+/* An edge of great circle m that starts in direction p. m = 0 marks one along the horizon. */
+static void start_edge(struct rl_lines *lines, struct rl_seen_polygon *seen, rl_vec3 p, rl_vec3 m)
+{
+    rl_vec3 start = v3_normalize(p);
+    lines->edge[lines->n_edges++] =
+        (struct rl_edge){.m = m, .start = start, .q_x = lines->v_x + start.x, .q_y = lines->v_y + start.y};
+    seen->n++;
+}
+
+/* Sutherland and Hodgman (1974) against the plane z = 0. A polygon that is cut into several parts stays one loop, joined along
+ * the horizon there and back, which encloses nothing. */
+static void cut_at_horizon(struct rl_lines *lines, struct rl_seen_polygon *seen, struct corner from,
+                           struct corner to)
+{
+    bool from_up = !lines->attenuation || from.p.z > 0.0, to_up = !lines->attenuation || to.p.z > 0.0;
+    if (!from_up && !to_up)
+        return;
+    rl_vec3 m = v3_normalize(v3_cross(from.p, from.edge));
+    if (from_up)
+        start_edge(lines, seen, from.p, m);
+    if (from_up == to_up)
+        return;
+    rl_vec3 at = v3_madd(from.p, from.p.z / (from.p.z - to.p.z), from.edge);
+    at.z = 0.0;
+    start_edge(lines, seen, at, from_up ? v3(0.0, 0.0, 0.0) : m);
+}
+
+static void close_loop(struct rl_edge *edge, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        struct rl_edge *it = &edge[i];
+        rl_vec3 end = edge[i + 1 < n ? i + 1 : 0].start;
+        if (it->m.x == 0.0 && it->m.y == 0.0 && it->m.z == 0.0)
+            it->m.z = it->start.x * end.y - it->start.y * end.x < 0.0 ? -1.0 : 1.0;
+        rl_vec3 from = v3_cross(it->m, it->start), to = v3_cross(it->m, end);
+        it->from_x = from.x;
+        it->from_y = from.y;
+        it->to_x = to.x;
+        it->to_y = to.y;
+    }
+}
+
+/* Whether direction L hits the polygon: point in polygon by crossing number, in the polygon's plane with one axis dropped. */
+static bool hits(const struct rl_edge *edge, size_t n, rl_vec3 nearness, rl_vec3 L)
+{
+    double near = v3_dot(nearness, L);
+    if (!(near > 0.0))
+        return false;
+    rl_vec3 a = v3(fabs(nearness.x), fabs(nearness.y), fabs(nearness.z));
+    int drop = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    double x = (drop == 0 ? L.y : L.x) / near, y = (drop == 2 ? L.y : L.z) / near;
+    bool inside = false;
+    for (size_t i = 0; i < n; i++) {
+        rl_vec3 p = edge[i].start, q = edge[i + 1 < n ? i + 1 : 0].start;
+        double p_near = v3_dot(nearness, p), q_near = v3_dot(nearness, q);
+        double px = (drop == 0 ? p.y : p.x) / p_near, py = (drop == 2 ? p.y : p.z) / p_near;
+        double qx = (drop == 0 ? q.y : q.x) / q_near, qy = (drop == 2 ? q.y : q.z) / q_near;
+        if ((py > y) != (qy > y) && x < px + (qx - px) * (y - py) / (qy - py))
+            inside = !inside;
+    }
+    return inside;
+}
+
+static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl_vec3 P,
+                        const struct rl_set_polygon *polygon)
+{
+    const struct rl_light_set *set = lines->set;
+    rl_vec3 first = v3_sub(set->vertex[polygon->first], P);
+    double distance = v3_dot(polygon->normal, first);
+    /* Seen edge-on it covers nothing. */
+    if (!(fabs(distance) > polygon->thickness + 1e-15 * v3_length(first)))
+        return;
+    struct rl_seen_polygon *seen = &lines->polygon[lines->n_polygons];
+    *seen = (struct rl_seen_polygon){.first = lines->n_edges, .radiance = polygon->radiance};
+    seen->nearness = v3_scale(1.0 / distance, to_frame(frame, polygon->normal));
+    bool reversed = distance < 0.0;
+    struct corner start = corner(set, polygon, frame, P, reversed, 0), from = start;
+    for (size_t i = 1; i <= polygon->n; i++) {
+        struct corner to = i < polygon->n ? corner(set, polygon, frame, P, reversed, i) : start;
+        cut_at_horizon(lines, seen, from, to);
+        from = to;
+    }
+    if (seen->n == 0)
+        return;
+    struct rl_edge *edge = &lines->edge[seen->first];
+    close_loop(edge, seen->n);
+    if (!lines->attenuation)
+        seen->holds_mirror = hits(edge, seen->n, seen->nearness, v3(-lines->v_x, -lines->v_y, lines->v_n));
+    lines->n_polygons++;
+}
+
+void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface *surface,
+                   const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                   const struct rl_integrate_options *options)
+{
+    rl_vec3 N = v3_normalize(surface->N);
+    struct rl_frame frame = rl_frame_make(RL_FRAME_ORTHONORMAL, N);
+    rl_vec3 V = v3_normalize(to_frame(&frame, surface->V));
+    /* Every azimuth counts the same, so of the printed frame only its length matters. */
+    double stretch = options->frame == RL_FRAME_PRINTED ? fmin(1.0, sqrt(N.y * N.y + N.z * N.z)) : 1.0;
+    *lines = (struct rl_lines){
+        .e = e,
+        .set = set,
+        .attenuation = options->attenuation,
+        .stretch = stretch,
+        .v_x = V.x,
+        .v_y = V.y,
+        .v_n = V.z,
+    };
+    lay_out(lines, memory);
+    for (size_t i = 0; i < set->n_polygons; i++)
+        see_polygon(lines, &frame, surface->P, &set->polygon[i]);
+}
+
+/* The azimuth in [0, pi) of the undirected line along (x, y). */
+static double line_azimuth(double x, double y)
+{
+    double theta = atan2(y, x);
+    if (theta < 0.0)
+        theta += RL_PI;
+    return theta < RL_PI ? theta : 0.0;
+}
+
+/* Whether the circle of the line along (x, y), known to touch the edge's great circle, touches it between the edge's ends. */
+static bool touches(const struct rl_lines *lines, const struct rl_edge *edge, double x, double y)
+{
+    double from = -y * edge->from_x + x * edge->from_y, to = -y * edge->to_x + x * edge->to_y;
+    double v_b = -y * lines->v_x + x * lines->v_y;
+    /* Between the ends b.p has a maximum r or a minimum -r; it is -v_b that it must equal. */
+    return (from > 0.0 && to < 0.0 && v_b <= 0.0) || (from < 0.0 && to > 0.0 && v_b >= 0.0);
+}
+
+/* d^2 = 0: c^2 (1 - m_y^2 - v_y^2) + 2 s c (m_x m_y + v_x v_y) + s^2 (1 - m_x^2 - v_x^2) = 0 for t = (c, s). */
+static size_t touch_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
+{
+    double a = 1.0 - edge->m.y * edge->m.y - lines->v_y * lines->v_y;
+    double half = edge->m.x * edge->m.y + lines->v_x * lines->v_y;
+    double b = 1.0 - edge->m.x * edge->m.x - lines->v_x * lines->v_x;
+    double discriminant = half * half - a * b;
+    if (!(discriminant >= 0.0))
+        return 0;
+    double w = -(half + copysign(sqrt(discriminant), half));
+    const double x[2] = {w, b}, y[2] = {a, w};
+    size_t n = 0;
+    for (int i = 0; i < 2; i++)
+        if ((x[i] != 0.0 || y[i] != 0.0) && touches(lines, edge, x[i], y[i]))
+            breaks[n++] = (struct rl_break){.theta = line_azimuth(x[i], y[i]), .touch = true};
+    return n;
+}
+
+size_t rl_lines_breaks(struct rl_break *breaks, const struct rl_lines *lines)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < lines->n_edges; i++) {
+        const struct rl_edge *edge = &lines->edge[i];
+        if (edge->q_x != 0.0 || edge->q_y != 0.0)
+            breaks[n++] = (struct rl_break){.theta = line_azimuth(edge->q_x, edge->q_y)};
+        n += touch_breaks(breaks + n, lines, edge);
+    }
+    return n;
+}

@@ -1,0 +1,87 @@
+/* The lights as seen from one point, and the inner integral along one line of fixed azimuth theta.
+ *
+ * In the frame (T, B, N) of the point, with t = (cos theta, sin theta), b perpendicular to it: as delta runs over [-pi/2, pi/2], the
+ * reflected direction L runs once round the circle of unit vectors with L.b = -v_b. All these circles pass through the mirror
+ * direction and through -V; seen along N they are straight, the line of direction theta through -V's foot. So:
+ *
+ *   - a vertex in unit direction p lies on the line whose azimuth is that of q = (V + p) projected on the tangent plane, and on one
+ *     side of the line theta or the other as b.q is > 0 or < 0;
+ *   - an edge is an arc of a great circle with unit normal m; in the line's own axes (t, b, N) the two crossings are
+ *
+ *         L_t = (v_b m_b m_t +- d m_N)/r^2,  L_N = (v_b m_b m_N -+ d m_t)/r^2,  r^2 = m_t^2 + m_N^2,  d^2 = r^2 - v_b^2
+ *
+ *     the upper sign where b.q rises along the edge. Ends on different sides: one crossing, and its sign is known; ends on the same
+ *     side: two or none. The side of a vertex is decided once for both its edges, so crossings always pair up;
+ *   - the circle touches the edge where d = 0: a quadratic in tan(theta).
+ *
+ * Loops run so that the light lies where m.L > 0. With attenuation on, polygons are cut at the horizon first.
+ */
+#ifndef RL_REFERENCE_LINES_H
+#define RL_REFERENCE_LINES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "reference/inner.h"
+#include "reference/light_set.h"
+
+struct rl_edge {
+    rl_vec3 m;             /* unit normal of the edge's great circle */
+    rl_vec3 start;         /* unit direction p of the vertex it starts from */
+    double q_x, q_y;       /* V + p, projected */
+    double from_x, from_y; /* m x p at its start: the tangent along the edge */
+    double to_x, to_y;     /* and at its end */
+};
+
+struct rl_seen_polygon {
+    size_t first, n;   /* edges */
+    size_t radiance;   /* index in the set */
+    rl_vec3 nearness;  /* 1/distance in direction L is nearness.L */
+    bool holds_mirror; /* the mirror direction hits it; only without attenuation */
+    int winding;       /* scratch of a line */
+};
+
+/* A place on a line. */
+struct rl_crossing {
+    struct rl_angle normal; /* the microfacet normal there */
+    struct rl_angle delta;  /* and where the density takes it: differs in the printed frame only */
+    double l_t, l_n;        /* L */
+    bool full;              /* G = 1 */
+    int sign;               /* +1: enters the polygon as delta grows; -1: leaves */
+    struct rl_seen_polygon *polygon;
+};
+
+struct rl_lines {
+    const struct rl_ellipsoid *e;
+    const struct rl_light_set *set;
+    bool attenuation;
+    double stretch;       /* see inner.h */
+    double v_x, v_y, v_n; /* V in the frame */
+    size_t n_edges, n_polygons;
+    struct rl_edge *edge;
+    struct rl_seen_polygon *polygon;
+    struct rl_crossing *crossing;    /* scratch of a line */
+    struct rl_seen_polygon **active; /* scratch of a line */
+};
+
+/* Bytes of memory that rl_lines_make wants for this set, aligned as malloc aligns. */
+size_t rl_lines_size(const struct rl_light_set *set);
+
+/* Sees the lights from the surface point; surface N and V unit vectors, V.N > 0. Keeps `memory`, `e` and `set`. */
+void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface *surface,
+                   const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                   const struct rl_integrate_options *options);
+
+/* Where the integral along lines breaks as theta runs over [0, pi). */
+struct rl_break {
+    double theta;
+    bool touch; /* the circle touches an edge: a square root on one side */
+};
+/* Fills at most 3 * n_edges breaks, in no order, and returns how many. */
+size_t rl_lines_breaks(struct rl_break *breaks, const struct rl_lines *lines);
+
+/* value[0..2]: integral over delta of D G L_e, RGB; value[3]: what rounding may have done to it. Returns whether the line meets any
+ * light. Uses the scratch inside `lines`. */
+bool rl_lines_integrate(double value[4], const struct rl_lines *lines, double theta);
+
+#endif
