@@ -1,0 +1,88 @@
+/* Claims, verdicts and their table (see claims.h). */
+#include "results/claims.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct rl_claim *rl_claims_add(struct rl_claims *claims, struct rl_error *error)
+{
+    struct rl_claim *grown = realloc(claims->claim, (claims->n + 1) * sizeof *grown);
+    if (!grown) {
+        rl_fail_memory(error, "a list of claims");
+        return NULL;
+    }
+    claims->claim = grown;
+    struct rl_claim *c = &grown[claims->n++];
+    *c = (struct rl_claim){.verdict = RL_VERDICT_INCONCLUSIVE, .value = NAN, .low = NAN, .high = NAN};
+    return c;
+}
+
+void rl_claims_clear(struct rl_claims *claims)
+{
+    free(claims->claim);
+    *claims = (struct rl_claims){0};
+}
+
+void rl_claim_value(struct rl_claim *claim, double value, double low, double high, const char *unit)
+{
+    claim->value = value;
+    claim->low = low;
+    claim->high = high;
+    snprintf(claim->unit, sizeof claim->unit, "%s", unit);
+}
+
+enum rl_verdict rl_verdict_at_least(double low, double high, double bound)
+{
+    if (low >= bound)
+        return RL_VERDICT_HOLDS;
+    return high < bound ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE;
+}
+
+enum rl_verdict rl_verdict_at_most(double low, double high, double bound)
+{
+    if (high <= bound)
+        return RL_VERDICT_HOLDS;
+    return low > bound ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE;
+}
+
+enum rl_verdict rl_verdict_equals(double low, double high, double target, double margin)
+{
+    if (high < target - margin || low > target + margin)
+        return RL_VERDICT_FAILS;
+    return high - low <= 4.0 * margin ? RL_VERDICT_HOLDS : RL_VERDICT_INCONCLUSIVE;
+}
+
+const char *rl_verdict_name(enum rl_verdict verdict)
+{
+    switch (verdict) {
+    case RL_VERDICT_HOLDS:
+        return "holds";
+    case RL_VERDICT_HOLDS_UP_TO:
+        return "holds up to";
+    case RL_VERDICT_FAILS:
+        return "fails";
+    default:
+        return "inconclusive";
+    }
+}
+
+void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enum rl_export_format format)
+{
+    static const char *const column[] = {"claim", "verdict", "value", "low",
+                                         "high",  "unit",    "study", "command"};
+    struct rl_export table;
+    rl_export_begin(&table, out, format, column, sizeof column / sizeof column[0]);
+    for (size_t i = 0; i < claims->n; i++) {
+        const struct rl_claim *c = &claims->claim[i];
+        rl_export_text(&table, c->text);
+        rl_export_text(&table, rl_verdict_name(c->verdict));
+        rl_export_number(&table, c->value);
+        rl_export_number(&table, c->low);
+        rl_export_number(&table, c->high);
+        rl_export_text(&table, c->unit);
+        rl_export_text(&table, c->study);
+        rl_export_text(&table, c->command);
+    }
+    rl_export_end(&table);
+}

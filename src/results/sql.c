@@ -1,0 +1,129 @@
+/* SQLite calls with one-line errors (see sql.h). */
+#include "results/sql.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+static const char *explain(int code)
+{
+    switch (code & 0xff) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return "locked by another program";
+    case SQLITE_NOTADB:
+        return "not an SQLite database";
+    case SQLITE_CORRUPT:
+        return "damaged";
+    case SQLITE_FULL:
+        return "cannot write: the disk is full";
+    case SQLITE_READONLY:
+        return "cannot write: the file or its folder is read-only";
+    case SQLITE_CANTOPEN:
+        return "cannot open the file or its journal";
+    case SQLITE_IOERR:
+        return "cannot read or write";
+    case SQLITE_NOMEM:
+        return "out of memory";
+    default:
+        return "SQLite failed";
+    }
+}
+
+int rl_sql_fail(const struct rl_database *db, int code, struct rl_error *error)
+{
+    /* Bad data in the file is the caller's input; the rest is the machine's doing. */
+    int primary = code & 0xff;
+    enum rl_status status =
+        primary == SQLITE_NOTADB || primary == SQLITE_CORRUPT ? RL_ERR_INPUT : RL_ERR_SYSTEM;
+    return rl_fail(error, status, "%s: %s (%s)", db->path, explain(code),
+                   db->handle ? sqlite3_errmsg(db->handle) : sqlite3_errstr(code));
+}
+
+int rl_sql_script(struct rl_database *db, const char *sql, struct rl_error *error)
+{
+    int code = sqlite3_exec(db->handle, sql, NULL, NULL, NULL);
+    return code == SQLITE_OK ? RL_OK : rl_sql_fail(db, code, error);
+}
+
+static int prepare(struct rl_database *db, sqlite3_stmt **statement, struct rl_error *error, const char *sql,
+                   const char *types, va_list arguments)
+{
+    int code = sqlite3_prepare_v2(db->handle, sql, -1, statement, NULL);
+    for (int i = 1; code == SQLITE_OK && *types; i++, types++) {
+        if (*types == 't') {
+            code = sqlite3_bind_text(*statement, i, va_arg(arguments, const char *), -1, SQLITE_TRANSIENT);
+        } else if (*types == 'i') {
+            code = sqlite3_bind_int64(*statement, i, va_arg(arguments, int64_t));
+        } else {
+            code = sqlite3_bind_double(*statement, i, va_arg(arguments, double));
+        }
+    }
+    if (code == SQLITE_OK)
+        return RL_OK;
+    int status = rl_sql_fail(db, code, error);
+    sqlite3_finalize(*statement);
+    *statement = NULL;
+    return status;
+}
+
+int rl_sql_prepare(struct rl_database *db, sqlite3_stmt **statement, struct rl_error *error, const char *sql,
+                   const char *types, ...)
+{
+    va_list arguments;
+    va_start(arguments, types);
+    int status = prepare(db, statement, error, sql, types, arguments);
+    va_end(arguments);
+    return status;
+}
+
+int rl_sql_row(const struct rl_database *db, sqlite3_stmt *statement, struct rl_error *error)
+{
+    int code = sqlite3_step(statement);
+    if (code == SQLITE_ROW)
+        return 1;
+    return code == SQLITE_DONE ? 0 : rl_sql_fail(db, code, error);
+}
+
+int rl_sql_run(struct rl_database *db, struct rl_error *error, const char *sql, const char *types, ...)
+{
+    va_list arguments;
+    va_start(arguments, types);
+    sqlite3_stmt *statement = NULL;
+    int status = prepare(db, &statement, error, sql, types, arguments);
+    va_end(arguments);
+    if (status != RL_OK)
+        return status;
+    do {
+        status = rl_sql_row(db, statement, error);
+    } while (status > 0);
+    sqlite3_finalize(statement);
+    return status;
+}
+
+void rl_sql_text(sqlite3_stmt *statement, int column, char *text, size_t size)
+{
+    const unsigned char *value = sqlite3_column_text(statement, column);
+    snprintf(text, size, "%s", value ? (const char *)value : "");
+}
+
+double rl_sql_number(sqlite3_stmt *statement, int column)
+{
+    return sqlite3_column_type(statement, column) == SQLITE_NULL ? NAN
+                                                                 : sqlite3_column_double(statement, column);
+}
+
+int rl_sql_begin(struct rl_database *db, struct rl_error *error)
+{
+    return rl_sql_script(db, "BEGIN IMMEDIATE", error);
+}
+
+int rl_sql_end(struct rl_database *db, int status, struct rl_error *error)
+{
+    if (status == RL_OK)
+        status = rl_sql_script(db, "COMMIT", error);
+    /* Some errors have undone it already; then this one has nothing to do, which is no further error. */
+    if (status != RL_OK && !sqlite3_get_autocommit(db->handle))
+        sqlite3_exec(db->handle, "ROLLBACK", NULL, NULL, NULL);
+    return status;
+}
