@@ -3,14 +3,13 @@
 
 #include <dirent.h>
 #include <limits.h>
-#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/utsname.h>
 #include <time.h>
 
 #include "base/files.h"
+#include "base/machine.h"
 #include "base/paths.h"
 #include "base/version.h"
 
@@ -57,29 +56,6 @@ static uint64_t hash_code(void)
     return hash;
 }
 
-static void find_cpu(char *name, size_t size)
-{
-    snprintf(name, size, "unknown");
-    FILE *file = fopen("/proc/cpuinfo", "re");
-    if (!file)
-        return;
-    char line[512];
-    while (fgets(line, sizeof line, file)) {
-        const char *colon = strchr(line, ':');
-        if (colon && strncmp(line, "model name", 10) == 0) {
-            snprintf(name, size, "%.*s", (int)strcspn(colon + 1, "\n") - 1, colon + 2);
-            break;
-        }
-    }
-    fclose(file);
-}
-
-static int usable_threads(void)
-{
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-}
-
 void rl_provenance_now(char text[32])
 {
     time_t now = time(NULL);
@@ -92,7 +68,7 @@ void rl_provenance_fill(struct rl_provenance *p, int threads, const char *backen
                         const char *gl_version)
 {
     *p = (struct rl_provenance){.dirty = rl_version.dirty,
-                                .threads = threads > 0 ? threads : usable_threads()};
+                                .threads = threads > 0 ? threads : rl_machine_threads()};
     snprintf(p->version, sizeof p->version, "%s", rl_version.version);
     snprintf(p->commit, sizeof p->commit, "%s", rl_version.commit);
     snprintf(p->compiler, sizeof p->compiler, "%s", rl_version.compiler);
@@ -101,10 +77,8 @@ void rl_provenance_fill(struct rl_provenance *p, int threads, const char *backen
     snprintf(p->renderer, sizeof p->renderer, "%s", renderer);
     snprintf(p->gl_version, sizeof p->gl_version, "%s", gl_version);
     rl_hash_text(p->code_hash, hash_code());
-    find_cpu(p->cpu, sizeof p->cpu);
-    struct utsname os;
-    if (uname(&os) == 0)
-        snprintf(p->os, sizeof p->os, "%s %s %s", os.sysname, os.release, os.machine);
+    rl_machine_cpu(p->cpu, sizeof p->cpu);
+    rl_machine_system(p->os, sizeof p->os);
     rl_provenance_now(p->time);
 }
 
