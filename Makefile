@@ -75,10 +75,10 @@ COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 # Recursive: LIB_CFLAGS and the like come from packages.mk, below.
-C_COMPILE = $(CC) -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CPPFLAGS) \
+C_FLAGS = -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CPPFLAGS) \
 	-fopenmp $(COMMON) $(C_WARNINGS) $(CFLAGS)
 # No vptr check: clang's run-time library for it comes with a main program of C++ only, and ours is C.
-CXX_COMPILE = $(CXX) -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(SHIM_SANITIZER) $(CXXFLAGS)
+CXX_FLAGS = -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(SHIM_SANITIZER) $(CXXFLAGS)
 # --as-needed: a program loads the libraries it calls and no others, which is most of its start-up time. OpenImageIO,
 # OSMesa and EGL are not linked at all but loaded when first used.
 C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) $(if $(EXTRA),-Wl$(comma)--export-dynamic-symbol=dlclose) \
@@ -121,8 +121,8 @@ $(GEN)/packages.mk: FORCE
 
 # Everything compiled depends on this file: other flags or another compiler (or version of it) rebuild it.
 $(GEN)/flags: FORCE
-	$(call write_if_changed,$(shell $(CC) --version | head -n 1) $(C_COMPILE) $(C_LINK) $(LIBS) \
-		$(CXX_COMPILE) $(LDFLAGS) $(SHIM_LIBS) $(TEST_CFLAGS) $(TEST_LIBS))
+	$(call write_if_changed,$(shell $(CC) --version | head -n 1) $(CC) $(C_FLAGS) $(C_LINK) $(LIBS) \
+		$(CXX) $(CXX_FLAGS) $(LDFLAGS) $(SHIM_LIBS) $(TEST_CFLAGS) $(TEST_LIBS))
 
 # The archive depends on this one: a source that was removed leaves nothing newer than the archive.
 $(GEN)/objects: FORCE
@@ -138,7 +138,7 @@ define version_h
 #define RL_COMMIT "$(or $(if $(in_clone),$(shell git rev-parse --short=12 HEAD 2>/dev/null)),unknown)"
 #define RL_DIRTY $(if $(and $(in_clone),$(shell git status --porcelain --untracked-files=no 2>/dev/null)),1,0)
 #define RL_COMPILER $(call quoted,$(shell $(CC) --version | head -n 1))
-#define RL_CFLAGS $(call quoted,$(wordlist 2,999,$(C_COMPILE)))
+#define RL_CFLAGS $(call quoted,$(C_FLAGS))
 endef
 $(GEN)/version.h: FORCE
 	$(call write_if_changed,$(version_h))
@@ -152,12 +152,12 @@ all: $(LIBRARY) $(PROGRAM) $(SHIM)
 $(BUILD)/obj/%.o: %.c $(GEN)/flags | $(GEN)/version.h
 	@mkdir -p $(@D)
 	$(if $(V),,@echo "  CC      $<")
-	$(Q)$(C_COMPILE) $(TEST_FLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(TEST_FLAGS) -MMD -MP -c $< -o $@
 
 $(BUILD)/obj/%.o: %.cpp $(GEN)/flags
 	@mkdir -p $(@D)
 	$(if $(V),,@echo "  CXX     $<")
-	$(Q)$(CXX_COMPILE) -MMD -MP -c $< -o $@
+	$(Q)$(CXX) $(CXX_FLAGS) -MMD -MP -c $< -o $@
 
 $(BUILD)/obj/tests/%: TEST_FLAGS = -Itests $(TEST_CFLAGS)
 
@@ -204,12 +204,12 @@ report: all
 ## Lay out the sources (clang-format)
 format:
 	@.ci/setup format
-	$(if $(ALL_SOURCES),clang-format -i $(ALL_SOURCES))
+	$(Q)$(if $(ALL_SOURCES),clang-format -i $(ALL_SOURCES))
 
 ## Fail if `make format` would change anything
 format-check:
 	@.ci/setup format
-	$(if $(ALL_SOURCES),clang-format --dry-run -Werror $(ALL_SOURCES))
+	$(Q)$(if $(ALL_SOURCES),clang-format --dry-run -Werror $(ALL_SOURCES))
 
 ## Look for faults in the sources (clang-tidy, cppcheck); fails on any finding
 lint:
@@ -219,16 +219,16 @@ lint:
 tidy: $(patsubst %,$(BUILD)/tidy/%.ok,$(C_SOURCES) $(SHIM_SOURCE))
 not_for_tidy := -Werror $(SANITIZER)
 $(BUILD)/tidy/%.c.ok: $(BUILD)/obj/%.o .clang-tidy
-	$(call tidy,$*.c,$(C_COMPILE) -Itests $(TEST_CFLAGS))
+	$(call tidy,$*.c,$(C_FLAGS) -Itests $(TEST_CFLAGS))
 $(BUILD)/tidy/%.cpp.ok: $(BUILD)/obj/%.o .clang-tidy
-	$(call tidy,$*.cpp,$(CXX_COMPILE))
+	$(call tidy,$*.cpp,$(CXX_FLAGS))
 
-# $1: source, $2: how it is compiled. clang-tidy counts the warnings in system headers on stderr, which nobody wants to
+# $1: source, $2: its flags. clang-tidy counts the warnings in system headers on stderr, which nobody wants to
 # know; what it finds goes to stdout.
 define tidy
 	@mkdir -p $(@D)
 	$(if $(V),,@echo "  TIDY    $1")
-	$(Q)clang-tidy --quiet $1 -- $(filter-out $(not_for_tidy),$(wordlist 2,999,$2)) 2>$@.err || { \
+	$(Q)clang-tidy --quiet $1 -- -Wno-unknown-warning-option $(filter-out $(not_for_tidy),$2) 2>$@.err || { \
 		grep -v 'warnings\? generated' $@.err; exit 1; }
 	@touch $@
 endef
@@ -250,7 +250,7 @@ docdir := $(DESTDIR)$(PREFIX)/share/doc/roughlight
 # The tree $1 (where it exists) as $2, plain files, readable by all whatever the umask says.
 install_tree = $(if $(wildcard $1),cd $1 && find . -type f -exec install -D -m 644 {} $(abspath $(sharedir))/$2/{} \;)
 
-.PHONY: install uninstall clean setup help
+.PHONY: install uninstall check-install clean setup help
 ## Install under PREFIX (/usr/local), below DESTDIR
 install: all
 	install -D -m 755 $(BUILD)/roughlight $(bindir)/roughlight
@@ -266,6 +266,16 @@ uninstall:
 	rm -f $(bindir)/roughlight
 	rm -rf $(libdir) $(sharedir) $(docdir)
 
+## Install into a scratch folder, render from there, uninstall; nothing may be missing or left behind
+check-install: all
+	@scratch=$$(mktemp -d) && trap 'rm -rf "$$scratch"' EXIT && \
+	$(MAKE) --no-print-directory install DESTDIR=$$scratch PREFIX=/usr >/dev/null && \
+	(cd / && $$scratch/usr/bin/roughlight render $$scratch/usr/share/roughlight/scenes/sphere-quad.yaml \
+		--size 64x64 -o $$scratch/image.exr) && \
+	rm $$scratch/image.exr && \
+	$(MAKE) --no-print-directory uninstall DESTDIR=$$scratch PREFIX=/usr >/dev/null && \
+	left=$$(find $$scratch -type f) && { [ -z "$$left" ] || { echo "left behind: $$left" >&2; exit 1; }; }
+
 ## Remove everything that was made
 clean:
 	rm -rf $(BUILD)
@@ -277,5 +287,5 @@ setup:
 ## List the targets
 help:
 	@awk '/^## / { what = substr($$0, 4); next } \
-		what != "" && /^[a-z-]+:/ { sub(":.*", ""); printf "  make %-13s %s\n", $$0, what; what = "" }' Makefile
+		what != "" && /^[a-z-]+:/ { sub(":.*", ""); printf "  make %-14s %s\n", $$0, what; what = "" }' Makefile
 	@sed -n '/^# Variables/,/^$$/ s/^# \{0,1\}//p' Makefile
