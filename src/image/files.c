@@ -36,11 +36,10 @@ static void join_lines(struct rl_error *error)
 {
     if (!error)
         return;
-    size_t length = strcspn(error->message, "\r\n");
-    for (char *c = error->message + length; *c; c++)
+    for (char *c = error->message; *c; c++)
         if (*c == '\n' || *c == '\r')
             *c = ' ';
-    length = strlen(error->message);
+    size_t length = strlen(error->message);
     while (length > 0 && error->message[length - 1] == ' ')
         error->message[--length] = '\0';
 }
@@ -165,7 +164,8 @@ static int read_opened(struct rl_image *image, const struct rl_oiio *oiio, void 
     }
     rl_image_clear(image);
     join_lines(error);
-    return rl_fail_prefix(error, "%s: damaged image", path);
+    rl_fail_prefix(error, "%s: damaged image", path);
+    return status;
 }
 
 int rl_image_read(struct rl_image *image, const char *path, struct rl_error *error)
@@ -192,7 +192,8 @@ int rl_image_read(struct rl_image *image, const char *path, struct rl_error *err
     status = oiio->open(&reader, &header, path, error);
     if (status != RL_OK) {
         join_lines(error);
-        return rl_fail_prefix(error, "%s: not an image that can be read", path);
+        rl_fail_prefix(error, "%s: not an image that can be read", path);
+        return status;
     }
     status = read_opened(image, oiio, reader, &header, path, error);
     oiio->close(reader);
@@ -311,7 +312,8 @@ static int write_as(const char *format, const struct rl_image *image, const void
     if (status == RL_OK || to.reached)
         return status;
     join_lines(error);
-    return rl_fail_prefix(error, "%s: cannot be encoded", path);
+    rl_fail_prefix(error, "%s: cannot be encoded", path);
+    return status;
 }
 
 static int write_png(const struct rl_image *image, const char *path, struct rl_write_report *report,
