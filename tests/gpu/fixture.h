@@ -29,7 +29,8 @@ enum { FIXTURE_MAX = 8 };
     } while (0)
 
 /* An empty scene that owns room for FIXTURE_MAX of each kind. */
-static inline void fixture_begin(struct rl_scene *scene, int width, int height) {
+static inline void fixture_begin(struct rl_scene *scene, int width, int height)
+{
     memset(scene, 0, sizeof *scene);
     scene->width = width;
     scene->height = height;
@@ -40,7 +41,8 @@ static inline void fixture_begin(struct rl_scene *scene, int width, int height) 
     assert_true(scene->material && scene->object && scene->light);
 }
 
-static inline void fixture_end(struct rl_scene *scene) {
+static inline void fixture_end(struct rl_scene *scene)
+{
     for (size_t i = 0; i < scene->n_objects; i++)
         rl_mesh_clear(&scene->object[i].mesh);
     for (size_t i = 0; i < scene->n_lights; i++) {
@@ -56,7 +58,8 @@ static inline void fixture_end(struct rl_scene *scene) {
 
 /* A camera at `position` that looks at `target`, y up. */
 static inline void fixture_camera(struct rl_scene *scene, rl_vec3 position, rl_vec3 target,
-                                  double fov_y_degrees) {
+                                  double fov_y_degrees)
+{
     struct rl_camera *c = &scene->camera;
     c->position = position;
     c->forward = v3_normalize(v3_sub(target, position));
@@ -68,7 +71,8 @@ static inline void fixture_camera(struct rl_scene *scene, rl_vec3 position, rl_v
 }
 
 static inline int fixture_material(struct rl_scene *scene, double rr, double ambient, double diffuse,
-                                   double specular, const char *method) {
+                                   double specular, const char *method)
+{
     struct rl_material *m = &scene->material[scene->n_materials];
     m->rr = rr;
     m->method = method;
@@ -82,7 +86,8 @@ static inline int fixture_material(struct rl_scene *scene, double rr, double amb
 
 /* A built-in shape, scaled and moved. */
 static inline void fixture_object(struct rl_scene *scene, enum rl_shape shape, int tessellation, double scale,
-                                  rl_vec3 centre, int material) {
+                                  rl_vec3 centre, int material)
+{
     struct rl_error error;
     struct rl_object *o = &scene->object[scene->n_objects++];
     rl_vec3 low;
@@ -100,7 +105,8 @@ static inline void fixture_object(struct rl_scene *scene, enum rl_shape shape, i
 
 /* A light of one polygon; its sphere is about the vertices' mean. */
 static inline void fixture_light(struct rl_scene *scene, const rl_vec3 *vertex, int n, double r, double g,
-                                 double b) {
+                                 double b)
+{
     struct rl_error error;
     struct rl_light *l = &scene->light[scene->n_lights++];
     l->polygon = calloc(1, sizeof *l->polygon);
@@ -120,7 +126,8 @@ static inline void fixture_light(struct rl_scene *scene, const rl_vec3 *vertex, 
 
 /* A parallelogram centre +- u +- v. */
 static inline void fixture_quad(struct rl_scene *scene, rl_vec3 centre, rl_vec3 u, rl_vec3 v, double r,
-                                double g, double b) {
+                                double g, double b)
+{
     rl_vec3 vertex[4];
     for (int i = 0; i < 4; i++)
         vertex[i] = v3_madd(v3_madd(centre, i == 0 || i == 3 ? -1.0 : 1.0, u), i < 2 ? -1.0 : 1.0, v);
@@ -130,7 +137,8 @@ static inline void fixture_quad(struct rl_scene *scene, rl_vec3 centre, rl_vec3 
 /* A lit sphere that nearly fills the picture: one quad light above and to the left, behind the camera's
  * shoulder. */
 static inline void fixture_sphere(struct rl_scene *scene, int width, int height, const char *method,
-                                  double rr) {
+                                  double rr)
+{
     fixture_begin(scene, width, height);
     fixture_camera(scene, v3(0.0, 0.0, 4.0), v3(0.0, 0.0, 0.0), 32.0);
     int material = fixture_material(scene, rr, 0.02, 0.3, 1.0, method);
@@ -140,7 +148,8 @@ static inline void fixture_sphere(struct rl_scene *scene, int width, int height,
 
 /* Plan, preparation, one frame and the picture, in one. */
 static inline void fixture_render(struct rl_image *image, struct rl_gpu *gpu, const struct rl_scene *scene,
-                                  const struct rl_settings *settings) {
+                                  const struct rl_settings *settings)
+{
     struct rl_error error;
     struct rl_plan plan;
     struct rl_gpu_scene *gs;

@@ -1,0 +1,65 @@
+/* The bench that cases are measured on: a GPU context, references kept from case to case, and scenes set up as a case's
+ * parameters say.
+ *
+ *     struct rl_bench_scene *set;
+ *     rl_bench_scene_make(&set, bench, &scene, "method=random samples=4 rr=30 width=320 height=240", 1, &error);
+ *     rl_gpu_scene_frame(set->gpu_scene, &seconds, &error);
+ *     rl_bench_scene_free(set);
+ *     rl_bench_reference(&reference, bench, &scene, "rr=30 width=320 height=240", &error);     the truth for it
+ */
+#ifndef RL_STUDIES_BENCH_H
+#define RL_STUDIES_BENCH_H
+
+#include <stdint.h>
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "gpu/gpu.h"
+#include "image/image.h"
+#include "results/provenance.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+
+struct rl_bench {
+    struct rl_gpu *gpu;
+    struct rl_provenance provenance;
+    int threads;              /* of the CPU renderer; 0: as many as the process may use */
+    const char *cache;        /* folder where references are kept; made when first needed */
+    struct rl_progress quiet; /* asks the owner's progress whether to stop, but reports nothing to it */
+    uint64_t reference_key;   /* of the reference kept in memory; 0: none */
+    struct rl_image reference;
+};
+
+/* Opens the backend (rl_gpu_open) and notes the provenance. */
+int rl_bench_open(struct rl_bench *bench, const char *backend, int threads, const char *cache,
+                  const struct rl_progress *progress, struct rl_error *error);
+void rl_bench_close(struct rl_bench *bench);
+
+/* A scene on the GPU with the settings of a case. */
+struct rl_bench_scene {
+    struct rl_scene scene; /* a view of the caller's: only `material` is a copy */
+    struct rl_plan plan;
+    struct rl_gpu_scene *gpu_scene;
+};
+
+/* Settings that `parameters` name, over the paper's defaults (RL_SETTINGS_DEFAULT; the scene's own render block does not count, so
+ * that a case's parameters say all). Keys: method, samples, rr, normal_bits, env_size, env_format, width, height, seed,
+ * tolerance. method=none is left to rl_bench_scene_make. */
+int rl_bench_settings(struct rl_settings *settings, const char *parameters, struct rl_error *error);
+
+/* `scene` must outlive it. method=none takes every material's highlight away. `seed` replaces that of the parameters. */
+int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, const struct rl_scene *scene,
+                        const char *parameters, uint64_t seed, struct rl_error *error);
+/* NULL is fine. */
+void rl_bench_scene_free(struct rl_bench_scene *set);
+
+/* One picture: made, drawn, read. */
+int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struct rl_scene *scene,
+                     const char *parameters, uint64_t seed, struct rl_error *error);
+
+/* The reference image for a case: from memory, from the cache, or computed and then kept in both. What determines it, the
+ * program included, is its key. The image belongs to the bench and is valid until the next call. */
+int rl_bench_reference(const struct rl_image **image, struct rl_bench *bench, const struct rl_scene *scene,
+                       const char *parameters, struct rl_error *error);
+
+#endif

@@ -1,0 +1,154 @@
+/* The claims that the study `fps` judges, from raw frame times paired by round. */
+#include <math.h>
+#include <stdio.h>
+
+#include "measure/statistics.h"
+#include "studies/fps.h"
+
+static const double paper_plain_fps = 530.0, paper_regular_fps = 28.0, paper_random_fps = 38.0;
+static const double film_fps = 24.0, video_fps = 30.0;
+
+/* One scene's arms. */
+struct view {
+    const struct rl_run *run;
+    const char *scene;
+    struct rl_claims *claims;
+    struct rl_error *error;
+    double
+        noise_floor; /* largest relative difference between two arms of the same work that is still chance */
+};
+
+static const struct rl_series *frames(const struct view *v, const char *arm)
+{
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "arm=%s", arm);
+    const struct rl_record *r = rl_run_find(v->run, v->scene, pattern);
+    return r ? rl_record_series(r, "frame_ms") : NULL;
+}
+
+/* How many times as long the arm `a` takes as the arm `b`; NaN if either was not measured. */
+static struct rl_interval ratio(const struct view *v, const char *a, const char *b)
+{
+    const struct rl_series *x = frames(v, a), *y = frames(v, b);
+    if (!x || !y)
+        return (struct rl_interval){NAN, NAN, NAN};
+    return rl_ratio_interval(x->value, y->value, x->n < y->n ? x->n : y->n, 0.95);
+}
+
+static struct rl_claim *begin_claim(const struct view *v, const char *text)
+{
+    struct rl_claim *c = rl_claims_add(v->claims, v->error);
+    if (!c)
+        return NULL;
+    snprintf(c->text, sizeof c->text, "%.200s (%.40s)", text, v->scene);
+    rl_claim_source(c, v->run, v->scene);
+    return c;
+}
+
+/* A difference smaller than that of two equal arms says nothing. */
+static enum rl_verdict faster(const struct view *v, struct rl_interval times)
+{
+    if (times.low > 1.0 + v->noise_floor)
+        return RL_VERDICT_HOLDS;
+    return times.high < 1.0 - v->noise_floor ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE;
+}
+
+static int claim_random_faster(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "paper: 4 random normals are faster than 13 regular ones (paper: 38/28 = 1.36 times)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    struct rl_interval times = ratio(v, "regular-13", "random-4");
+    rl_claim_value(c, times.value, times.low, times.high, "times");
+    snprintf(c->note, sizeof c->note,
+             "paired by round; noise floor of the A/A arms %.2g; the paper's ratio %.3g", v->noise_floor,
+             paper_random_fps / paper_regular_fps);
+    c->verdict = faster(v, times);
+    return RL_OK;
+}
+
+static int claim_plain(const struct view *v)
+{
+    struct rl_claim *c = begin_claim(v, "paper: the light's shape costs a factor of 530/38 = 13.9 in speed, "
+                                        "plain against random 4 (to within a quarter)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double expected = paper_plain_fps / paper_random_fps;
+    struct rl_interval times = ratio(v, "random-4", "plain");
+    rl_claim_value(c, times.value, times.low, times.high, "times");
+    snprintf(c->note, sizeof c->note, "paired by round; %.100s against the paper's GeForce FX 5200",
+             v->run->provenance.renderer);
+    c->verdict = rl_verdict_equals(times.low, times.high, expected, 0.25 * expected);
+    return RL_OK;
+}
+
+static int claim_rate(const struct view *v, const char *arm, const char *text, double paper)
+{
+    struct rl_claim *c = begin_claim(v, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_series *s = frames(v, arm);
+    if (!s)
+        return RL_OK;
+    struct rl_interval ms = rl_median_interval(s->value, s->n, 0.95);
+    double low = 1000.0 / ms.high, high = 1000.0 / ms.low;
+    rl_claim_value(c, 1000.0 / ms.value, low, high, "frames/s");
+    c->verdict = rl_verdict_at_least(low, high, film_fps);
+    snprintf(c->note, sizeof c->note, "on %.100s; %.0f frames/s: %s; the paper %.0f on a GeForce FX 5200",
+             v->run->provenance.renderer, video_fps, low >= video_fps ? "reached" : "not reached", paper);
+    return RL_OK;
+}
+
+static int claim_noise_floor(const struct view *v, struct rl_interval same)
+{
+    struct rl_claim *c =
+        begin_claim(v, "ours: the clock is fair: two arms of the same work differ by less than 2 %");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    rl_claim_value(c, same.value, same.low, same.high, "times");
+    if (!isnan(same.value))
+        c->verdict = rl_verdict_at_most(v->noise_floor, v->noise_floor, 0.02);
+    return RL_OK;
+}
+
+static int claim_environment(const struct view *v)
+{
+    struct rl_claim *c = begin_claim(
+        v, "ours: drawing the environment map anew costs less than the frame of random 4 that uses it");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    struct rl_interval times = ratio(v, "environment", "random-4");
+    rl_claim_value(c, times.value, times.low, times.high, "of a frame");
+    c->verdict = rl_verdict_at_most(times.low, times.high, 1.0);
+    return RL_OK;
+}
+
+int rl_fps_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    int status = RL_OK;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        struct view v = {run, scene, claims, error, 0.0};
+        struct rl_interval same = ratio(&v, "random-4-again", "random-4");
+        v.noise_floor = fmax(same.high - 1.0, 1.0 - same.low);
+        status = claim_random_faster(&v);
+        if (status == RL_OK)
+            status = claim_plain(&v);
+        if (status == RL_OK)
+            status = claim_rate(
+                &v, "random-4",
+                "paper: highlights of shaped lights nearly in real time: random 4 reaches 24 frames/s",
+                paper_random_fps);
+        if (status == RL_OK)
+            status = claim_rate(
+                &v, "regular-13",
+                "paper: highlights of shaped lights nearly in real time: regular 13 reaches 24 frames/s",
+                paper_regular_fps);
+        if (status == RL_OK)
+            status = claim_noise_floor(&v, same);
+        if (status == RL_OK)
+            status = claim_environment(&v);
+    }
+    return status;
+}

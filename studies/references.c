@@ -1,0 +1,96 @@
+/* Reference images: computed once for each scene, size, R_r and tolerance, and kept as EXR by the hash of what determines them
+ * (see bench.h). */
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/files.h"
+#include "base/hash.h"
+#include "reference/renderer.h"
+#include "results/record.h"
+#include "results/stamp.h"
+#include "studies/bench.h"
+
+/* Everything that the reference of these settings depends on, as text, and its hash. */
+static uint64_t make_key(const struct rl_bench *bench, const struct rl_scene *scene,
+                         const struct rl_settings *s)
+{
+    char text[256];
+    int n = snprintf(text, sizeof text,
+                     "%016" PRIx64 " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s", scene->hash,
+                     bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance, s->attenuation,
+                     rl_frame_name(s->frame));
+    return rl_hash_bytes(RL_HASH_START, text, (size_t)n);
+}
+
+static int compute(struct rl_image *image, struct rl_bench *bench, const struct rl_scene *scene,
+                   const struct rl_settings *settings, struct rl_error *error)
+{
+    struct rl_plan plan;
+    int status = rl_plan_make(&plan, scene, settings, error);
+    if (status != RL_OK)
+        return status;
+    struct rl_render_stats stats = {0};
+    status = rl_reference_render(image, &stats, scene, &plan, bench->threads, &bench->quiet, error);
+    char library[64], renderer[96];
+    rl_reference_library(library);
+    snprintf(renderer, sizeof renderer, "CPU, %s", library);
+    if (status == RL_OK)
+        status = rl_stamp_image(image, scene, &plan, renderer, stats.seconds, error);
+    if (status == RL_OK)
+        status = rl_image_set_number(image, "roughlight:worst_error", stats.worst_error, error);
+    rl_plan_clear(&plan);
+    return status;
+}
+
+/* The image that becomes the bench's: read if the cache has a good one, else computed and put there. */
+static int find(struct rl_image *image, struct rl_bench *bench, const struct rl_scene *scene,
+                const struct rl_settings *settings, uint64_t key, struct rl_error *error)
+{
+    char name[RL_HASH_TEXT], path[PATH_MAX];
+    rl_hash_text(name, key);
+    snprintf(path, sizeof path, "%s/reference-%s.exr", bench->cache, name);
+    if (access(path, R_OK) == 0 && rl_image_read(image, path, NULL) == RL_OK) {
+        if (image->width == settings->width && image->height == settings->height)
+            return RL_OK;
+        rl_image_clear(image);
+    }
+    int status = rl_directory_create(bench->cache, error);
+    if (status == RL_OK)
+        status = compute(image, bench, scene, settings, error);
+    struct rl_write_report report;
+    if (status == RL_OK)
+        status = rl_image_write(image, path, &report, error);
+    return status;
+}
+
+int rl_bench_reference(const struct rl_image **out, struct rl_bench *bench, const struct rl_scene *scene,
+                       const char *parameters, struct rl_error *error)
+{
+    struct rl_settings settings;
+    int status = rl_bench_settings(&settings, parameters, error);
+    if (status != RL_OK)
+        return status;
+    settings.method = "reference";
+    settings.samples = 0;
+    if (settings.width == 0 || settings.height == 0) {
+        settings.width = scene->width;
+        settings.height = scene->height;
+    }
+    uint64_t key = make_key(bench, scene, &settings);
+    if (bench->reference_key != key) {
+        rl_image_clear(&bench->reference);
+        bench->reference_key = 0;
+        struct rl_image image = {0};
+        status = find(&image, bench, scene, &settings, key, error);
+        if (status != RL_OK) {
+            rl_image_clear(&image);
+            return rl_fail_prefix(error, "reference");
+        }
+        bench->reference = image;
+        bench->reference_key = key;
+    }
+    *out = &bench->reference;
+    return RL_OK;
+}

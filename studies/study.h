@@ -1,0 +1,70 @@
+/* Studies: what is measured, on what grid, and which claims follow. Each is studies/NAME.c here <-> plots/NAME.gp, one descriptor,
+ * one row of rl_studies (table.c).
+ *
+ * A study plans cases (records with parameters, see results/record.h), measures them group by group, and judges the run that
+ * the database gives back. It never prints and never skips: runner.c does what is common to all, so that a killed run goes on
+ * where it was, and report.c turns the descriptor's tables, figures and claims into the page.
+ *
+ * To add one: write studies/NAME.c with a descriptor `rl_study_NAME` and plots/NAME.gp with its figures, and add its row.
+ */
+#ifndef RL_STUDIES_STUDY_H
+#define RL_STUDIES_STUDY_H
+
+#include <stddef.h>
+
+#include "base/error.h"
+#include "results/claims.h"
+#include "results/export.h"
+#include "results/record.h"
+#include "scene/scene.h"
+#include "studies/bench.h"
+
+/* How much of a study's grid is measured. */
+enum rl_grid {
+    RL_GRID_QUICK,   /* seconds: to see that all works */
+    RL_GRID_DEFAULT, /* a few minutes with all other studies */
+    RL_GRID_FULL     /* as long as it takes */
+};
+
+/* "quick", "default", "full" */
+const char *rl_grid_name(enum rl_grid grid);
+
+/* A picture that plots/NAME.gp draws: `name` is handed to the script and is part of the file's name, NAME-name.svg. */
+struct rl_figure {
+    const char *name;
+    const char *caption; /* what is shown and how to read it */
+};
+
+struct rl_study {
+    const char *name;
+    const char *summary; /* one line for lists */
+    const char *text;    /* a paragraph for the page: what is measured and how */
+    const char *const
+        *scenes; /* names of shipped scenes, NULL at the end: what it runs on if none is given */
+    const struct rl_table *tables;
+    size_t n_tables;
+    const struct rl_figure *figures;
+    size_t n_figures;
+    /* Adds the cases of one scene to `run`. Groups are numbered from `first_group` on. */
+    int (*plan)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
+                struct rl_error *error);
+    /* Measures the n records of one group: fills metrics and series. An error makes the group's cases failed ones. */
+    int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
+                   struct rl_error *error);
+    /* Judges what was measured, scene by scene; a claim whose cases are missing is inconclusive. */
+    int (*judge)(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
+};
+
+extern const struct rl_study *const rl_studies[];
+extern const size_t rl_n_studies;
+
+/* NULL if there is none of that name. */
+const struct rl_study *rl_study_find(const char *name);
+
+/* Writes "roughlight study run NAME --scene SCENE" with the run's grid into a claim, and the study's name. */
+void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene);
+
+/* The i-th different scene among a run's records, by name; NULL past the last. */
+const char *rl_run_scene(const struct rl_run *run, size_t i);
+
+#endif

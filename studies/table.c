@@ -1,0 +1,60 @@
+/* The table of studies, one row each, and what all descriptors share. */
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "studies/study.h"
+
+extern const struct rl_study rl_study_samples;
+extern const struct rl_study rl_study_fps;
+
+const struct rl_study *const rl_studies[] = {
+    &rl_study_samples,
+    &rl_study_fps,
+};
+
+const size_t rl_n_studies = sizeof rl_studies / sizeof rl_studies[0];
+
+const struct rl_study *rl_study_find(const char *name)
+{
+    for (size_t i = 0; i < rl_n_studies; i++)
+        if (strcmp(rl_studies[i]->name, name) == 0)
+            return rl_studies[i];
+    return NULL;
+}
+
+const char *rl_grid_name(enum rl_grid grid)
+{
+    static const char *const name[] = {
+        [RL_GRID_QUICK] = "quick", [RL_GRID_DEFAULT] = "default", [RL_GRID_FULL] = "full"};
+    return name[grid];
+}
+
+/* Whether the record at `i` is the first of its scene. */
+static bool first_of_scene(const struct rl_run *run, size_t i)
+{
+    for (size_t k = 0; k < i; k++)
+        if (strcmp(run->record[k].scene, run->record[i].scene) == 0)
+            return false;
+    return true;
+}
+
+const char *rl_run_scene(const struct rl_run *run, size_t i)
+{
+    for (size_t k = 0; k < run->n_records; k++)
+        if (first_of_scene(run, k) && i-- == 0)
+            return run->record[k].scene;
+    return NULL;
+}
+
+void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene)
+{
+    const char *path = scene;
+    for (size_t i = 0; i < run->n_records; i++)
+        if (strcmp(run->record[i].scene, scene) == 0)
+            path = run->record[i].scene_path;
+    bool is_default = strcmp(run->grid, rl_grid_name(RL_GRID_DEFAULT)) == 0;
+    snprintf(claim->study, sizeof claim->study, "%s", run->study);
+    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s --scene %.150s%s%.20s",
+             run->study, path, is_default ? "" : " --", is_default ? "" : run->grid);
+}
