@@ -5,6 +5,7 @@
 #ifndef RL_SCENE_PLAN_H
 #define RL_SCENE_PLAN_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/error.h"
@@ -13,31 +14,32 @@
 #include "scene/scene.h"
 #include "scene/settings.h"
 
-enum { RL_PLAN_EFFECTS_MAX = 16, RL_PLAN_MODULES_MAX = 32 };
+enum { RL_PLAN_EFFECTS_MAX = 16, RL_PLAN_MODULES_MAX = 32, RL_PLAN_MODULE_NAME = 48 };
 
-/* One shader program: a vertex and a fragment module and what is linked between them. Module names are paths under shaders/
- * without ".glsl", e.g. "effects/diffuse". */
+/* One shader program. Module names are paths under shaders/ without ".glsl", e.g. "effects/diffuse". */
 struct rl_plan_program {
     const char *pass; /* "environment", "surface", "sphere", "highlight" */
+    int samples;      /* of the highlight pass, a constant of its shader; else 0 */
     size_t n_modules;
-    const char *module[RL_PLAN_MODULES_MAX]; /* in order of concatenation; the last one holds main() */
+    /* The first is the vertex shader, the rest together the fragment shader; the last one of them holds main(). */
+    char module[RL_PLAN_MODULES_MAX][RL_PLAN_MODULE_NAME];
 };
 
 /* What the objects of one material need. */
 struct rl_plan_material {
-    int material;      /* index in the scene */
-    double rr;         /* after overrides */
+    int material;                   /* index in the scene */
+    double rr;                      /* after overrides */
     const struct rl_method *method; /* NULL: no highlight */
     int samples;
     size_t n_effects;
     const struct rl_effect *effect[RL_PLAN_EFFECTS_MAX];
-    int n_point_lights;      /* 0 if nothing of this material asks for them */
-    int surface_program;     /* index; base shading, and the highlight too if the method takes no samples */
-    int highlight_program;   /* index or -1: the sampled highlight's own pass */
-    int sphere_program;      /* index or -1: the bounding-sphere stencil */
-    int normal_map;          /* index or -1 */
-    int pattern;             /* index or -1 */
-    double margin;           /* of the spheres, >= 0; with sphere_program */
+    int n_point_lights;    /* 0 if nothing of this material asks for them */
+    int surface_program;   /* index; base shading, and the highlight too if the method takes no samples */
+    int highlight_program; /* index or -1: the sampled highlight's own pass */
+    int sphere_program;    /* index or -1: the bounding-sphere stencil */
+    int normal_map;        /* index or -1 */
+    int pattern;           /* index or -1 */
+    double margin;         /* of the spheres, >= 0; with sphere_program */
 };
 
 /* A normal map is shared by all materials of one R_r, a pattern by all of one R_r and sample count. */
@@ -53,6 +55,7 @@ struct rl_plan_pattern {
 
 struct rl_plan {
     struct rl_settings settings; /* with the scene's size filled in */
+    bool on_cpu; /* some method is of the CPU alone: no programs, textures or passes of the GPU */
     size_t n_materials, n_programs, n_normal_maps, n_patterns;
     struct rl_plan_material *material; /* those that some object wears, by index in the scene */
     struct rl_plan_program *program;
@@ -61,7 +64,8 @@ struct rl_plan {
     size_t n_environments;   /* cube maps */
     int *environment;        /* per object: its cube map's index, or -1 */
     int environment_program; /* index or -1 */
-    float radiance_scale;    /* the lights' brightest component: unsigned texels are divided by it; 1 if all are dark */
+    float
+        radiance_scale; /* the lights' brightest component: unsigned texels are divided by it; 1 if all are dark */
 };
 
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
@@ -69,6 +73,7 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
 void rl_plan_clear(struct rl_plan *plan);
 
 /* The plan of the material an object wears. */
-const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene, size_t object);
+const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene,
+                                                 size_t object);
 
 #endif

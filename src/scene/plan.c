@@ -1,0 +1,287 @@
+/* Derives a plan from a scene: which effects are in use, and from that programs, textures and passes (see plan.h). */
+#include "scene/plan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/ellipsoid.h"
+
+/* Programs a material can need: surface, sphere, highlight. */
+enum { PROGRAMS_PER_MATERIAL = 3 };
+
+static void add_module(struct rl_plan_program *program, const char *folder, const char *name)
+{
+    snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "%s/%s", folder, name);
+}
+
+static bool same_program(const struct rl_plan_program *a, const struct rl_plan_program *b)
+{
+    if (strcmp(a->pass, b->pass) != 0 || a->n_modules != b->n_modules || a->samples != b->samples)
+        return false;
+    for (size_t i = 0; i < a->n_modules; i++)
+        if (strcmp(a->module[i], b->module[i]) != 0)
+            return false;
+    return true;
+}
+
+/* The index of this program in the plan, where an equal one may be already. There is room for all. */
+static int add_program(struct rl_plan *plan, const struct rl_plan_program *program)
+{
+    for (size_t i = 0; i < plan->n_programs; i++)
+        if (same_program(&plan->program[i], program))
+            return (int)i;
+    plan->program[plan->n_programs] = *program;
+    return (int)plan->n_programs++;
+}
+
+static int surface_program(struct rl_plan *plan, const struct rl_plan_material *m)
+{
+    struct rl_plan_program program = {.pass = "surface"};
+    bool fused = m->method && !m->method->sampled;
+    add_module(&program, "passes", "object_vertex");
+    add_module(&program, "common", "surface");
+    if (m->n_point_lights > 0)
+        add_module(&program, "common", "lights");
+    for (size_t i = 0; i < m->n_effects; i++)
+        add_module(&program, "effects", m->effect[i]->name);
+    if (fused)
+        add_module(&program, "methods", m->method->name);
+    add_module(&program, "passes", "surface");
+    return add_program(plan, &program);
+}
+
+static int sphere_program(struct rl_plan *plan)
+{
+    struct rl_plan_program program = {.pass = "sphere"};
+    add_module(&program, "passes", "object_vertex");
+    add_module(&program, "common", "surface");
+    add_module(&program, "passes", "sphere");
+    return add_program(plan, &program);
+}
+
+static int highlight_program(struct rl_plan *plan, const struct rl_plan_material *m)
+{
+    struct rl_plan_program program = {.pass = "highlight", .samples = m->samples};
+    add_module(&program, "passes", "object_vertex");
+    add_module(&program, "common", "surface");
+    add_module(&program, "common", plan->settings.frame == RL_FRAME_PRINTED ? "frame_printed" : "frame");
+    add_module(&program, "common", plan->settings.attenuation ? "attenuation" : "attenuation_off");
+    add_module(&program, "common", "environment");
+    if (m->method->needs_normal_map)
+        add_module(&program, "common", "normal_map");
+    if (m->method->needs_pattern)
+        add_module(&program, "common", "pattern");
+    add_module(&program, "methods", m->method->name);
+    add_module(&program, "passes", "highlight");
+    return add_program(plan, &program);
+}
+
+static int environment_program(struct rl_plan *plan)
+{
+    struct rl_plan_program program = {.pass = "environment"};
+    add_module(&program, "passes", "environment_vertex");
+    add_module(&program, "passes", "environment");
+    return add_program(plan, &program);
+}
+
+static int normal_map(struct rl_plan *plan, const struct rl_plan_material *m)
+{
+    for (size_t i = 0; i < plan->n_normal_maps; i++)
+        if (plan->normal_map[i].rr == m->rr && plan->normal_map[i].method == m->method)
+            return (int)i;
+    plan->normal_map[plan->n_normal_maps] = (struct rl_plan_normal_map){m->rr, m->method};
+    return (int)plan->n_normal_maps++;
+}
+
+static int pattern(struct rl_plan *plan, const struct rl_plan_material *m)
+{
+    for (size_t i = 0; i < plan->n_patterns; i++)
+        if (plan->pattern[i].rr == m->rr && plan->pattern[i].samples == m->samples &&
+            plan->pattern[i].method == m->method)
+            return (int)i;
+    plan->pattern[plan->n_patterns] = (struct rl_plan_pattern){m->rr, m->samples, m->method};
+    return (int)plan->n_patterns++;
+}
+
+/* The margin that `auto` stands for: seen from an object's centre at distance d, a light's bounding sphere has the angular radius
+ * asin(r/d). A microfacet tilted by delta sends the mirror direction 2 delta further, so a sphere wider by 2 delta(U = 0.99) is
+ * missed by the directions of at most 2 % of the normals of any pixel outside it. INFINITY where that is wider than a half space:
+ * no sphere is worth its pass then. */
+static double auto_margin(const struct rl_scene *scene, const struct rl_plan_material *m)
+{
+    struct rl_ellipsoid e = rl_ellipsoid_make(m->rr);
+    double blur = 2.0 * rl_ellipsoid_inverse(&e, 0.99).delta;
+    double margin = 0.0;
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        if (scene->object[i].material != m->material)
+            continue;
+        for (size_t j = 0; j < scene->n_lights; j++) {
+            double d = v3_length(v3_sub(scene->light[j].centre, scene->object[i].centre));
+            double angle = asin(fmin(1.0, scene->light[j].radius / d)) + blur;
+            if (!(angle < 0.5 * RL_PI))
+                return INFINITY;
+            margin = fmax(margin, d * sin(angle) / scene->light[j].radius - 1.0);
+        }
+    }
+    return margin;
+}
+
+static void plan_sphere(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m)
+{
+    const struct rl_settings *s = &plan->settings;
+    if (s->margin_kind == RL_MARGIN_OFF)
+        return;
+    m->margin = s->margin_kind == RL_MARGIN_AUTO ? auto_margin(scene, m) : s->margin;
+    if (isfinite(m->margin))
+        m->sphere_program = sphere_program(plan);
+}
+
+/* What the material itself says, with the settings' overrides. */
+static void plan_material(struct rl_plan_material *m, const struct rl_scene *scene, int index,
+                          const struct rl_settings *settings)
+{
+    const struct rl_material *material = &scene->material[index];
+    *m = (struct rl_plan_material){
+        .material = index,
+        .rr = settings->rr > 0.0 ? settings->rr : material->rr,
+        .surface_program = -1,
+        .highlight_program = -1,
+        .sphere_program = -1,
+        .normal_map = -1,
+        .pattern = -1,
+    };
+    if (scene->n_lights > 0 && material->method)
+        m->method = rl_method_find(settings->method ? settings->method : material->method);
+    if (m->method)
+        m->samples =
+            m->method->sampled && settings->samples > 0 ? settings->samples : m->method->default_samples;
+    bool lit = m->method && m->method->needs_point_lights;
+    for (size_t i = 0; i < rl_n_effects && m->n_effects < RL_PLAN_EFFECTS_MAX; i++) {
+        const struct rl_effect *effect = rl_effects[i];
+        if (!effect->wanted(material) || (effect->needs_lights && scene->n_lights == 0))
+            continue;
+        m->effect[m->n_effects++] = effect;
+        lit = lit || effect->needs_lights;
+    }
+    m->n_point_lights = lit ? (int)scene->n_lights : 0;
+}
+
+static void plan_passes(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m)
+{
+    m->surface_program = surface_program(plan, m);
+    if (!m->method || !m->method->sampled)
+        return;
+    plan_sphere(plan, scene, m);
+    if (m->method->needs_normal_map)
+        m->normal_map = normal_map(plan, m);
+    if (m->method->needs_pattern)
+        m->pattern = pattern(plan, m);
+    m->highlight_program = highlight_program(plan, m);
+}
+
+/* Fills the materials that some object wears; false if some of their methods run on the CPU alone and others on the GPU. */
+static bool plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < scene->n_materials; i++) {
+        bool worn = false;
+        for (size_t j = 0; j < scene->n_objects; j++)
+            worn = worn || scene->object[j].material == (int)i;
+        if (worn)
+            plan_material(&plan->material[plan->n_materials++], scene, (int)i, &plan->settings);
+    }
+    size_t on_gpu = 0;
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_method *method = plan->material[i].method;
+        plan->on_cpu = plan->on_cpu || (method && !method->on_gpu);
+        on_gpu += method && !method->on_cpu;
+    }
+    return !plan->on_cpu || on_gpu == 0;
+}
+
+/* The name of the first method that runs on the GPU (or on the CPU) alone. */
+static const char *method_only(const struct rl_plan *plan, bool on_gpu)
+{
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_method *method = plan->material[i].method;
+        if (method && (on_gpu ? !method->on_cpu : !method->on_gpu))
+            return method->name;
+    }
+    return "";
+}
+
+static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
+        bool needed = m->highlight_program >= 0 && m->method->needs_environment;
+        plan->environment[i] = needed ? (int)plan->n_environments++ : -1;
+    }
+    plan->environment_program = plan->n_environments > 0 ? environment_program(plan) : -1;
+}
+
+static int allocate(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
+{
+    size_t n = scene->n_materials + 1;
+    plan->material = calloc(n, sizeof *plan->material);
+    plan->program = calloc(n * PROGRAMS_PER_MATERIAL + 1, sizeof *plan->program);
+    plan->normal_map = calloc(n, sizeof *plan->normal_map);
+    plan->pattern = calloc(n, sizeof *plan->pattern);
+    plan->environment = calloc(scene->n_objects + 1, sizeof *plan->environment);
+    if (plan->material && plan->program && plan->normal_map && plan->pattern && plan->environment)
+        return RL_OK;
+    rl_plan_clear(plan);
+    return rl_fail_memory(error, "a plan");
+}
+
+int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
+                 struct rl_error *error)
+{
+    *plan = (struct rl_plan){.settings = *settings, .environment_program = -1, .radiance_scale = 1.0f};
+    int status = allocate(plan, scene, error);
+    if (status != RL_OK)
+        return status;
+    if (plan->settings.width == 0 || plan->settings.height == 0) {
+        plan->settings.width = scene->width;
+        plan->settings.height = scene->height;
+    }
+    if (!plan_materials(plan, scene)) {
+        status = rl_fail(error, RL_ERR_INPUT,
+                         "%s: the method %s runs on the CPU alone and %s on the GPU alone, expected one side "
+                         "for all materials; "
+                         "--method makes them one",
+                         scene->path, method_only(plan, false), method_only(plan, true));
+        rl_plan_clear(plan);
+        return status;
+    }
+    double brightest = 0.0;
+    for (size_t i = 0; i < scene->n_lights; i++)
+        for (int c = 0; c < 3; c++)
+            brightest = fmax(brightest, scene->light[i].radiance[c]);
+    if (brightest > 0.0)
+        plan->radiance_scale = (float)brightest;
+    for (size_t i = 0; i < plan->n_materials && !plan->on_cpu; i++)
+        plan_passes(plan, scene, &plan->material[i]);
+    plan_environments(plan, scene);
+    return RL_OK;
+}
+
+void rl_plan_clear(struct rl_plan *plan)
+{
+    free(plan->material);
+    free(plan->program);
+    free(plan->normal_map);
+    free(plan->pattern);
+    free(plan->environment);
+    *plan = (struct rl_plan){0};
+}
+
+const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene,
+                                                 size_t object)
+{
+    for (size_t i = 0; i < plan->n_materials; i++)
+        if (plan->material[i].material == scene->object[object].material)
+            return &plan->material[i];
+    return NULL;
+}
