@@ -26,7 +26,8 @@ void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_
 
 /* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms applied. Normals
  * missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no triangles, non-finite vertices,
- * truncated. (mesh_file.c) */
-int rl_mesh_load(struct rl_mesh *mesh, const char *path, struct rl_error *error);
+ * truncated, or a file that assimp crashes on or does not finish: it runs in a process of its own. *hash, where not NULL, takes in
+ * the bytes of every file that was read (a glTF file names others). (mesh_file.c) */
+int rl_mesh_load(struct rl_mesh *mesh, uint64_t *hash, const char *path, struct rl_error *error);
 
 #endif

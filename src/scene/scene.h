@@ -38,8 +38,7 @@ struct rl_light {
     rl_vec3 centroid;   /* by area */
     rl_vec3 centre;     /* of the bounding sphere */
     double radius;      /* of the bounding sphere */
-    double
-        area; /* one side; a mesh light counts a quarter of its surface, the mean silhouette of a convex body (Cauchy) */
+    double area; /* one side; a mesh's: a quarter of its surface, a convex body's mean silhouette (Cauchy) */
 };
 
 struct rl_object {

@@ -59,9 +59,9 @@ static int check_method(const struct rl_settings *s, struct rl_error *error)
 
 static int check_size(int size, struct rl_error *error)
 {
-    if (size >= 0 && size <= 16384)
+    if (size >= 0 && size <= RL_FILM_MAX)
         return RL_OK;
-    return rl_fail(error, RL_ERR_INPUT, "found %d, expected 1 to 16384 pixels", size);
+    return rl_fail(error, RL_ERR_INPUT, "found %d, expected 1 to %d pixels", size, RL_FILM_MAX);
 }
 
 int rl_settings_check_key(const struct rl_settings *s, const char **key, struct rl_error *error)
@@ -115,6 +115,13 @@ int rl_settings_check(const struct rl_settings *settings, struct rl_error *error
     return rl_fail_prefix(error, "--%s", key);
 }
 
+/* `what` is NULL where the caller names the place itself. */
+static int fail_parse(struct rl_error *error, const char *what, const char *text, const char *expected)
+{
+    return rl_fail(error, RL_ERR_INPUT, "%s%sfound '%.40s', expected %s", what ? what : "", what ? ": " : "",
+                   text, expected);
+}
+
 int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what,
                           struct rl_error *error)
 {
@@ -139,7 +146,7 @@ int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct r
     else if (end != text && *end == '\0' && n >= 4 && n <= 16)
         *bits = (int)n;
     else
-        return rl_fail(error, RL_ERR_INPUT, "%s: found '%.40s', expected 4 to 16, half or float", what, text);
+        return fail_parse(error, what, text, "4 to 16, half or float");
     return RL_OK;
 }
 
@@ -156,8 +163,7 @@ int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, cons
         *kind = RL_MARGIN_VALUE;
         *margin = value;
     } else {
-        return rl_fail(error, RL_ERR_INPUT, "%s: found '%.40s', expected off, auto or a number from 0 to %g",
-                       what, text, RL_MARGIN_MAX);
+        return fail_parse(error, what, text, "off, auto or a number from 0 to 1e6");
     }
     return RL_OK;
 }
@@ -170,5 +176,5 @@ int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what
             *frame = kinds[i];
             return RL_OK;
         }
-    return rl_fail(error, RL_ERR_INPUT, "%s: found '%.40s', expected orthonormal or printed", what, text);
+    return fail_parse(error, what, text, "orthonormal or printed");
 }

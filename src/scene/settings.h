@@ -9,20 +9,24 @@
 #include "base/error.h"
 #include "model/frame.h"
 
-enum rl_texel_format { /* environment map */
-                       RL_TEXEL_RGBA8, /* 8-bit unsigned normalised; radiance is scaled by the brightest light's, so nothing clips */
-                       RL_TEXEL_RGB10A2,
-                       RL_TEXEL_R11G11B10F,
-                       RL_TEXEL_RGBA16,
-                       RL_TEXEL_RGBA16F,
-                       RL_TEXEL_RGBA32F,
-                       RL_TEXEL_FORMATS
+/* Texels of the environment map. In the unsigned normalised ones (8, 10 and 16 bits) radiance is divided by the brightest
+ * light's, so that nothing clips. */
+enum rl_texel_format {
+    RL_TEXEL_RGBA8,
+    RL_TEXEL_RGB10A2,
+    RL_TEXEL_R11G11B10F,
+    RL_TEXEL_RGBA16,
+    RL_TEXEL_RGBA16F,
+    RL_TEXEL_RGBA32F,
+    RL_TEXEL_FORMATS
 };
 
 /* Bits per component of the normal map: 4 to 16 unsigned normalised, or these. */
 enum { RL_NORMAL_BITS_HALF = -16, RL_NORMAL_BITS_FLOAT = -32 };
 
 #define RL_MARGIN_MAX 1e6
+
+enum { RL_FILM_MAX = 16384 }; /* pixels along either side */
 
 enum rl_margin { RL_MARGIN_OFF, RL_MARGIN_AUTO, RL_MARGIN_VALUE };
 
@@ -35,14 +39,13 @@ struct rl_settings {
     int env_size;       /* texels along an edge of a cube face: 8 to 4096 */
     enum rl_texel_format env_format;
     enum rl_margin margin_kind;
-    double
-        margin; /* sphere radius = (1 + margin) x the light's bounding radius; 0 to RL_MARGIN_MAX; with RL_MARGIN_VALUE */
+    double margin;     /* RL_MARGIN_VALUE: sphere radius = (1 + margin) x the light's; 0 to RL_MARGIN_MAX */
     int width, height; /* pixels, 1 to 16384; 0: the scene's film */
     uint64_t seed;
     bool attenuation;
     enum rl_frame_kind frame;
-    double
-        tolerance; /* reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1 */
+    /* Reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1. */
+    double tolerance;
 };
 
 /* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame; seed 1; tolerance 1e-5. */
@@ -63,7 +66,7 @@ int rl_settings_check(const struct rl_settings *settings, struct rl_error *error
 int rl_settings_check_key(const struct rl_settings *settings, const char **key, struct rl_error *error);
 
 /* Values as the command line and scene files spell them; RL_ERR_INPUT says what would have been right. `what` names the
- * argument in the message, e.g. "--env-format". */
+ * argument in the message, e.g. "--env-format", or is NULL. */
 int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what,
                           struct rl_error *error);
 int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct rl_error *error);
@@ -74,8 +77,9 @@ int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what
 /* "plain, regular, random or reference": what a message says was expected. */
 void rl_method_names(char text[], size_t size);
 
-const char *rl_texel_format_name(
-    enum rl_texel_format format); /* "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f", "rgba32f" */
-void rl_normal_bits_name(char text[16], int bits); /* "8", "half", "float" */
+/* "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f" or "rgba32f". */
+const char *rl_texel_format_name(enum rl_texel_format format);
+/* "4" to "16", "half" or "float". */
+void rl_normal_bits_name(char text[16], int bits);
 
 #endif

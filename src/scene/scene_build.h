@@ -1,0 +1,52 @@
+/* The steps from a scene file as written to a struct rl_scene, shared by the files that carry them out. */
+#ifndef RL_SCENE_SCENE_BUILD_H
+#define RL_SCENE_SCENE_BUILD_H
+
+#include "scene/scene.h"
+#include "scene/scene_schema.h"
+
+struct rl_scene_builder {
+    const struct rl_raw_scene *raw;
+    const struct rl_yaml_tree *tree; /* for messages */
+    struct rl_scene *scene;
+    struct rl_error *error;
+};
+
+/* Coordinates and lengths of a scene lie within +-RL_LENGTH_MAX, so that single precision and its squares hold them. */
+#define RL_LENGTH_MAX 1e9
+/* Of radiance and of colours that may be above 1. */
+#define RL_COLOUR_MAX 1e9
+
+/* Whether `value`, found at the key, is in [low, high]. */
+int rl_build_range(const struct rl_scene_builder *b, const char *key, double value, double low, double high);
+/* The same for all of three entries. */
+int rl_build_triple(const struct rl_scene_builder *b, const char *key, const double value[3], double low,
+                    double high);
+
+/* scene_camera.c. The planes want the objects. */
+int rl_build_camera(const struct rl_scene_builder *b);
+void rl_build_camera_planes(struct rl_scene *scene);
+
+/* scene_objects.c */
+int rl_build_objects(const struct rl_scene_builder *b);
+
+/* scene_lights.c */
+int rl_build_lights(const struct rl_scene_builder *b);
+
+/* placement.c: a vertex goes to linear p + translate, a normal to cofactor n (the inverse transpose, times the determinant, which
+ * is positive). */
+struct rl_placement {
+    double linear[3][3], cofactor[3][3];
+    rl_vec3 translate;
+};
+
+int rl_build_placement(struct rl_placement *placement, const struct rl_scene_builder *b,
+                       const struct rl_raw_placement *raw, const char *key);
+rl_vec3 rl_place_point(const struct rl_placement *placement, rl_vec3 p);
+void rl_place_mesh(const struct rl_placement *placement, struct rl_mesh *mesh);
+
+/* Loads the mesh that the scene file names at `key`, relative to its own folder, and takes it into the scene's hash. */
+int rl_build_mesh_file(const struct rl_scene_builder *b, struct rl_mesh *mesh, const char *file,
+                       const char *key);
+
+#endif

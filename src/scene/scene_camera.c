@@ -1,0 +1,95 @@
+/* The camera: from the scene file, its planes, rays and matrix (see scene.h). */
+#include <string.h>
+
+#include "scene/scene_build.h"
+
+/* Depth buffers resolve planes this far apart well. */
+#define NEAR_TO_FAR 1e-3
+/* sin of the angle between view direction and `up` below which the picture's upright is arbitrary. */
+#define PARALLEL 1e-6
+
+static rl_vec3 from(const double v[3])
+{
+    return v3(v[0], v[1], v[2]);
+}
+
+int rl_build_camera(const struct rl_scene_builder *b)
+{
+    static const double y_axis[3] = {0.0, 1.0, 0.0};
+    const struct rl_raw_camera *raw = &b->raw->camera;
+    const double *up = raw->up ? raw->up : y_axis;
+    struct rl_camera *camera = &b->scene->camera;
+    int status = rl_build_triple(b, "camera.position", raw->position, -RL_LENGTH_MAX, RL_LENGTH_MAX);
+    if (status == RL_OK)
+        status = rl_build_triple(b, "camera.target", raw->target, -RL_LENGTH_MAX, RL_LENGTH_MAX);
+    if (status == RL_OK)
+        status = rl_build_triple(b, "camera.up", up, -RL_LENGTH_MAX, RL_LENGTH_MAX);
+    if (status != RL_OK)
+        return status;
+    rl_vec3 direction = v3_sub(from(raw->target), from(raw->position));
+    camera->position = from(raw->position);
+    camera->forward = v3_normalize(direction);
+    if (!(v3_length(camera->forward) > 0.0))
+        return rl_yaml_fail(b->tree, b->error, "camera.target",
+                            "found the camera's own position, expected a point to look at");
+    rl_vec3 right = v3_cross(camera->forward, v3_normalize(from(up)));
+    if (!(v3_length(right) > PARALLEL))
+        return rl_yaml_fail(
+            b->tree, b->error, raw->up ? "camera.up" : "camera.target",
+            "found the view direction parallel to up (%g, %g, %g), expected an angle between them", up[0],
+            up[1], up[2]);
+    camera->right = v3_normalize(right);
+    camera->up = v3_cross(camera->right, camera->forward);
+    /* What is farther than this from 0 and 180 degrees has a tangent that makes sense. */
+    status = rl_build_range(b, "camera.field-of-view", raw->field_of_view, 0.01, 179.0);
+    camera->fov_y = raw->field_of_view * RL_PI / 180.0;
+    return status;
+}
+
+void rl_build_camera_planes(struct rl_scene *scene)
+{
+    struct rl_camera *camera = &scene->camera;
+    double nearest = HUGE_VAL, farthest = -HUGE_VAL;
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        const struct rl_object *object = &scene->object[i];
+        double depth = v3_dot(v3_sub(object->centre, camera->position), camera->forward);
+        nearest = fmin(nearest, depth - object->radius);
+        farthest = fmax(farthest, depth + object->radius);
+    }
+    /* Everything lies behind the camera: any planes will do. */
+    if (!(farthest > 0.0))
+        farthest = 1.0;
+    /* A little slack keeps a surface at the very end in the picture. */
+    camera->far_plane = 1.001 * farthest;
+    camera->near_plane = fmax(0.999 * nearest, NEAR_TO_FAR * camera->far_plane);
+}
+
+rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int x, int y)
+{
+    double half = tan(0.5 * camera->fov_y);
+    double right = half * (2.0 * (x + 0.5) - width) / height;
+    double up = half * (height - 2.0 * (y + 0.5)) / height;
+    return v3_normalize(v3_madd(v3_madd(camera->forward, right, camera->right), up, camera->up));
+}
+
+void rl_camera_matrix(const struct rl_camera *camera, int width, int height, double matrix[16])
+{
+    /* Rows of clip = projection x view: x along right, y along up, z and w along forward. OpenGL's depth is -1 at the near plane and
+     * 1 at the far one. */
+    double scale = 1.0 / tan(0.5 * camera->fov_y);
+    double n = camera->near_plane, f = camera->far_plane;
+    double depth_scale = (f + n) / (f - n), depth_offset = -2.0 * f * n / (f - n);
+    const rl_vec3 rows[4] = {
+        v3_scale(scale * height / width, camera->right),
+        v3_scale(scale, camera->up),
+        v3_scale(depth_scale, camera->forward),
+        camera->forward,
+    };
+    const double offset[4] = {0.0, 0.0, depth_offset, 0.0};
+    for (int r = 0; r < 4; r++) {
+        matrix[r] = rows[r].x;
+        matrix[4 + r] = rows[r].y;
+        matrix[8 + r] = rows[r].z;
+        matrix[12 + r] = offset[r] - v3_dot(rows[r], camera->position);
+    }
+}

@@ -1,0 +1,84 @@
+/* A scene file as libcyaml fills it, value by value as written: what is optional and absent is NULL. scene_build.c turns it into a
+ * struct rl_scene. The tables in scene_schema.c are the format's definition. */
+#ifndef RL_SCENE_SCENE_SCHEMA_H
+#define RL_SCENE_SCENE_SCHEMA_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/error.h"
+#include "scene/shapes.h"
+#include "scene/yaml_tree.h"
+
+struct rl_raw_film {
+    int width, height;
+};
+
+struct rl_raw_camera {
+    double position[3], target[3];
+    double *up;
+    double field_of_view; /* degrees, vertical */
+};
+
+struct rl_raw_material {
+    char *name;
+    double *rr;
+    double *ambient, *diffuse, *specular;
+    char *highlight;
+};
+
+struct rl_raw_placement { /* in this order */
+    double *scale;
+    double *stretch;
+    double *rotate; /* degrees about x, then y, then z */
+    double *translate;
+};
+
+struct rl_raw_object {
+    char *name;
+    enum rl_shape shape;
+    char *file;
+    char *material;
+    int *tessellation;
+    double *minor;
+    struct rl_raw_placement placement;
+};
+
+struct rl_raw_light {
+    char *name;
+    double (*polygon)[3];
+    unsigned n_polygon;
+    char *mesh;
+    struct rl_raw_placement placement;
+    double radiance[3];
+};
+
+struct rl_raw_render {
+    int *samples;
+    char *normal_bits;
+    int *normal_size;
+    int *env_size;
+    char *env_format;
+    char *margin;
+    bool *attenuation;
+    char *frame;
+    uint64_t *seed;
+    double *tolerance;
+};
+
+struct rl_raw_scene {
+    struct rl_raw_film *film;
+    struct rl_raw_camera camera;
+    struct rl_raw_material *materials;
+    struct rl_raw_object *objects;
+    struct rl_raw_light *lights;
+    unsigned n_materials, n_objects, n_lights;
+    struct rl_raw_render *render;
+};
+
+/* Parses, checks against the schema and loads. `tree` stays for messages about meaning; clear both, also after an error. */
+int rl_raw_scene_load(struct rl_raw_scene **raw, struct rl_yaml_tree *tree, const char *path,
+                      const char *text, size_t size, struct rl_error *error);
+void rl_raw_scene_free(struct rl_raw_scene *raw);
+
+#endif
