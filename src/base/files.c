@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +27,8 @@ static int read_all(int fd, char *data, size_t size, const char *path, struct rl
         if (n < 0)
             return fail_errno(error, "read", path);
         if (n == 0)
-            return rl_fail(error, RL_ERR_SYSTEM, "%s: ended after %zu of %zu bytes while being read", path, done, size);
+            return rl_fail(error, RL_ERR_SYSTEM, "%s: ended after %zu of %zu bytes while being read", path,
+                           done, size);
         done += (size_t)n;
     }
     return RL_OK;
@@ -34,7 +36,8 @@ static int read_all(int fd, char *data, size_t size, const char *path, struct rl
 
 int rl_file_read(char **data, size_t *size, const char *path, struct rl_error *error)
 {
-    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    /* Without O_NONBLOCK a named pipe would be waited for. */
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0)
         return rl_fail(error, RL_ERR_INPUT, "%s: cannot open: %s", path, strerror(errno));
     struct stat info;
@@ -45,7 +48,8 @@ int rl_file_read(char **data, size_t *size, const char *path, struct rl_error *e
     else if (!S_ISREG(info.st_mode))
         status = rl_fail(error, RL_ERR_INPUT, "%s: not a regular file", path);
     else if (info.st_size > MAX_FILE_BYTES)
-        status = rl_fail(error, RL_ERR_INPUT, "%s: %lld bytes, at most 1 GiB is read", path, (long long)info.st_size);
+        status = rl_fail(error, RL_ERR_INPUT, "%s: %lld bytes, at most 1 GiB is read", path,
+                         (long long)info.st_size);
     else if (!(buffer = malloc((size_t)info.st_size + 1)))
         status = rl_fail_memory(error, path);
     else
@@ -64,13 +68,21 @@ int rl_file_read(char **data, size_t *size, const char *path, struct rl_error *e
 int rl_file_begin(char temporary[], size_t size, const char *path, struct rl_error *error)
 {
     struct stat info;
-    if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
+    bool exists = stat(path, &info) == 0;
+    if (exists && S_ISDIR(info.st_mode))
         return rl_fail(error, RL_ERR_SYSTEM, "%s: is a directory, a file name is expected", path);
+    /* Renaming over /dev/null would replace the device. */
+    if (exists && !S_ISREG(info.st_mode))
+        return rl_fail(error, RL_ERR_SYSTEM,
+                       "%s: is a device or pipe, which cannot be replaced; a file name is expected", path);
     const char *slash = strrchr(path, '/');
     const char *base = slash ? slash + 1 : path;
+    if (!*base)
+        return rl_fail(error, RL_ERR_SYSTEM, "'%s': a file name is expected", path);
     const char *dot = strrchr(base, '.');
     const char *extension = dot ? dot : "";
-    int n = snprintf(temporary, size, "%.*s.%s.%ld%s", (int)(base - path), path, base, (long)getpid(), extension);
+    int n =
+        snprintf(temporary, size, "%.*s.%s.%ld%s", (int)(base - path), path, base, (long)getpid(), extension);
     if (n < 0 || (size_t)n >= size)
         return rl_fail(error, RL_ERR_SYSTEM, "%s: name too long", path);
     /* Creating it now finds an unwritable folder before any long work. */
@@ -101,7 +113,8 @@ void rl_file_abandon(const char *temporary)
     unlink(temporary);
 }
 
-static int write_all(const char *temporary, const char *data, size_t size, const char *path, struct rl_error *error)
+static int write_all(const char *temporary, const char *data, size_t size, const char *path,
+                     struct rl_error *error)
 {
     int fd = open(temporary, O_WRONLY | O_TRUNC | O_CLOEXEC);
     if (fd < 0)
