@@ -28,8 +28,8 @@ struct rl_error {
 int rl_fail(struct rl_error *error, enum rl_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Puts "prefix: " in front of the message already in `error`; returns its status. Where `error` may be NULL, return the
- * status that you have instead: NULL does not remember one, and RL_ERR_SYSTEM comes back. */
+/* Puts "prefix: " in front of the message already in `error`; returns its status. Where `error` may be NULL,
+ * return the status that you have instead: NULL does not remember one, and RL_ERR_SYSTEM comes back. */
 int rl_fail_prefix(struct rl_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* RL_ERR_SYSTEM with "out of memory" and what for. */

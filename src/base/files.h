@@ -11,12 +11,13 @@
 int rl_file_read(char **data, size_t *size, const char *path, struct rl_error *error);
 
 /* Writes to a temporary file beside `path`, flushes it to the disk and renames it over `path`. On any error the
- * temporary file is removed and `path` is as it was. Directories, devices and pipes are refused; a symbolic link is replaced, not what it
- * points to. */
+ * temporary file is removed and `path` is as it was. Directories, devices and pipes are refused; a symbolic
+ * link is replaced, not what it points to. */
 int rl_file_write(const char *path, const void *data, size_t size, struct rl_error *error);
 
 /* The same in two steps for writers that want a file name of their own (an image library): `begin` writes the
- * temporary name, ending in the extension of `path`, into `temporary`; `commit` flushes and renames, `abandon` removes. */
+ * temporary name, ending in the extension of `path`, into `temporary`; `commit` flushes and renames,
+ * `abandon` removes. */
 int rl_file_begin(char temporary[], size_t size, const char *path, struct rl_error *error);
 int rl_file_commit(const char *temporary, const char *path, struct rl_error *error);
 void rl_file_abandon(const char *temporary);

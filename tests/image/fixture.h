@@ -1,5 +1,5 @@
-/* What the tests of image files share: a folder of their own with two names in it, and images to put there. Include
- * after cmocka.h. */
+/* What the tests of image files share: a folder of their own with two names in it, and images to put there.
+ * Include after cmocka.h. */
 #ifndef RL_TESTS_IMAGE_FIXTURE_H
 #define RL_TESTS_IMAGE_FIXTURE_H
 

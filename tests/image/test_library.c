@@ -60,8 +60,8 @@ static int run_threads(void)
     return failed;
 }
 
-/* In a process of its own, where the plug-in has not been used yet, and which ends without a search for leaks: gcc 12's
- * LeakSanitizer crashes on libraries that were loaded by a thread which is gone. */
+/* In a process of its own, where the plug-in has not been used yet, and which ends without a search for
+ * leaks: gcc 12's LeakSanitizer crashes on libraries that were loaded by a thread which is gone. */
 static void test_first_use_from_many_threads(void **state)
 {
     (void)state;

@@ -1,0 +1,176 @@
+/* Mean squared error of repeated seeds, split into bias and variance: by hand, and whether its intervals hold. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "measure/metrics.h"
+#include "measure/noise.h"
+#include "support/check.h"
+
+static struct rl_error error;
+
+static void make(struct rl_image *image, int width, int height, int channels, const float *values)
+{
+    check_ok(rl_image_allocate(image, width, height, channels, &error), &error);
+    size_t n = (size_t)width * (size_t)height * (size_t)channels;
+    if (values)
+        memcpy(image->data, values, n * sizeof *values);
+}
+
+static void test_by_hand(void **state)
+{
+    (void)state;
+    static const float values[3][2] = {{1.0F, 4.0F}, {2.0F, 4.0F}, {3.0F, 4.0F}};
+    struct rl_image image[3] = {0};
+    const struct rl_image *const images[3] = {&image[0], &image[1], &image[2]};
+    struct rl_image reference = {0};
+    struct rl_bias_variance s;
+    for (int k = 0; k < 3; k++)
+        make(&image[k], 2, 1, 1, values[k]);
+    make(&reference, 2, 1, 1, (const float[]){1.0F, 5.0F});
+    check_ok(rl_bias_variance_compute(&s, images, 3, &reference, &error), &error);
+    /* left: mean 2, variance 1, bias^2 1 - 1/3; right: mean 4, variance 0, bias^2 1 */
+    check_near(s.variance, 0.5, 1e-15);
+    check_near(s.bias2, 5.0 / 6.0, 1e-15);
+    /* left: (0 + 1 + 4)/3, right: 1 */
+    check_near(s.mse, 4.0 / 3.0, 1e-15);
+    /* Two blocks of one pixel: half the difference is the standard error; t with 1 degree of freedom. */
+    check_near(s.variance_high - s.variance, 12.70620473617470 * 0.5, 1e-10);
+    check_near(s.variance - s.variance_low, 12.70620473617470 * 0.5, 1e-10);
+    check_near(s.bias2_high - s.bias2, 12.70620473617470 / 6.0, 1e-10);
+    check_near(s.bias2 - s.bias2_low, 12.70620473617470 / 6.0, 1e-10);
+    for (int k = 0; k < 3; k++)
+        rl_image_clear(&image[k]);
+    rl_image_clear(&reference);
+}
+
+/* mse is the mean of the images' own. */
+static void test_agrees_with_metrics(void **state)
+{
+    (void)state;
+    enum { K = 5, SIDE = 37 };
+    const uint64_t seed = 7;
+    struct rl_image image[K] = {0};
+    const struct rl_image *images[K];
+    struct rl_image reference = {0};
+    double mse = 0.0;
+    make(&reference, SIDE, SIDE, 4, NULL);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        reference.data[4 * i + 3] = i % 3 ? 1.0F : 0.0F;
+    for (int k = 0; k < K; k++) {
+        make(&image[k], SIDE, SIDE, 4, reference.data);
+        for (int i = 0; i < SIDE * SIDE * 4; i++)
+            if (i % 4 != 3)
+                image[k].data[i] = (float)(0.1 + noise(seed, (uint64_t)(k * SIDE * SIDE * 4 + i)));
+        images[k] = &image[k];
+        struct rl_metrics m;
+        check_ok(rl_metrics_compute(&m, &image[k], &reference, &error), &error);
+        mse += m.rmse * m.rmse / K;
+    }
+    struct rl_bias_variance s;
+    check_ok(rl_bias_variance_compute(&s, images, K, &reference, &error), &error);
+    check_relative(s.mse, mse, 1e-13);
+    check_relative(s.bias2 + s.variance, s.mse, 1e-15);
+    for (int k = 0; k < K; k++)
+        rl_image_clear(&image[k]);
+    rl_image_clear(&reference);
+}
+
+/* Bias 0.2 and noise of variance 0.25, over and over: both intervals should hold about 95 times in 100. The
+ * bounds are four standard deviations of 400 trials. */
+static void test_intervals_hold(void **state)
+{
+    (void)state;
+    enum { TRIALS = 400, K = 4, SIDE = 40 };
+    const uint64_t seed = 20260102;
+    printf("seed %llu\n", (unsigned long long)seed);
+    struct rl_image image[K] = {0};
+    const struct rl_image *images[K];
+    struct rl_image reference = {0};
+    for (int k = 0; k < K; k++) {
+        make(&image[k], SIDE, SIDE, 1, NULL);
+        images[k] = &image[k];
+    }
+    make(&reference, SIDE, SIDE, 1, NULL);
+    int bias_holds = 0;
+    int variance_holds = 0;
+    double bias_sum = 0.0;
+    uint64_t next = 0;
+    for (int t = 0; t < TRIALS; t++) {
+        for (int k = 0; k < K; k++)
+            for (int i = 0; i < SIDE * SIDE; i++)
+                image[k].data[i] = (float)(0.2 + 0.5 * noise(seed, next++));
+        struct rl_bias_variance s;
+        check_ok(rl_bias_variance_compute(&s, images, K, &reference, &error), &error);
+        bias_holds += s.bias2_low <= 0.04 && 0.04 <= s.bias2_high;
+        variance_holds += s.variance_low <= 0.25 && 0.25 <= s.variance_high;
+        bias_sum += s.bias2;
+    }
+    check_near(bias_holds / (double)TRIALS, 0.95, 4.0 * 0.011);
+    check_near(variance_holds / (double)TRIALS, 0.95, 4.0 * 0.011);
+    /* Unbiased: without the correction by variance/K it would be 0.1025. */
+    check_near(bias_sum / TRIALS, 0.04, 0.002);
+    for (int k = 0; k < K; k++)
+        rl_image_clear(&image[k]);
+    rl_image_clear(&reference);
+}
+
+static void test_one_block_tells_nothing(void **state)
+{
+    (void)state;
+    struct rl_image a = {0};
+    struct rl_image b = {0};
+    struct rl_bias_variance s;
+    make(&a, 1, 1, 1, (const float[]){1.0F});
+    make(&b, 1, 1, 1, (const float[]){3.0F});
+    const struct rl_image *const images[2] = {&a, &b};
+    check_ok(rl_bias_variance_compute(&s, images, 2, &a, &error), &error);
+    check_near(s.variance, 2.0, 0.0);
+    check_near(s.bias2, 0.0, 0.0);
+    assert_true(isinf(s.variance_high) && isinf(s.bias2_low));
+    rl_image_clear(&a);
+    rl_image_clear(&b);
+}
+
+static void test_what_cannot_be_split(void **state)
+{
+    (void)state;
+    struct rl_image a = {0};
+    struct rl_image b = {0};
+    struct rl_image c = {0};
+    struct rl_bias_variance s;
+    make(&a, 2, 2, 4, NULL);
+    make(&b, 2, 3, 4, NULL);
+    make(&c, 2, 2, 1, NULL);
+    const struct rl_image *const unequal[2] = {&a, &b};
+    const struct rl_image *const equal[2] = {&a, &a};
+    const struct rl_image *const grey[2] = {&c, &c};
+    check_fails(rl_bias_variance_compute(&s, equal, 1, &a, &error), &error, RL_ERR_INPUT, "at least 2 seeds");
+    check_fails(rl_bias_variance_compute(&s, equal, 0, &a, &error), &error, RL_ERR_INPUT, "at least 2 seeds");
+    check_fails(rl_bias_variance_compute(&s, unequal, 2, &a, &error), &error, RL_ERR_INPUT, "2 x 3");
+    check_fails(rl_bias_variance_compute(&s, equal, 2, &a, &error), &error, RL_ERR_INPUT,
+                "nothing to compare");
+    check_fails(rl_bias_variance_compute(&s, grey, 2, &a, &error), &error, RL_ERR_INPUT, "the image has Y");
+    c.data[3] = NAN;
+    check_fails(rl_bias_variance_compute(&s, grey, 2, &c, &error), &error, RL_ERR_CHECK, "3 values");
+    rl_image_clear(&a);
+    rl_image_clear(&b);
+    rl_image_clear(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_by_hand),
+        cmocka_unit_test(test_agrees_with_metrics),
+        cmocka_unit_test(test_intervals_hold),
+        cmocka_unit_test(test_one_block_tells_nothing),
+        cmocka_unit_test(test_what_cannot_be_split),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
