@@ -1,0 +1,31 @@
+# What all figures share. Scripts set `output` to the file's name and load this file; its ending, .svg or .png, decides the terminal.
+#
+# Colours: the podo sequence of Okabe and Ito without its yellow, which is lost on white paper. Dashes and points differ too, so
+# that curves can be told apart in print and by readers who see colours differently.
+
+if (strlen(output) > 4 && output[strlen(output) - 3:] eq ".svg") {
+    set terminal svg size 900, 620 dynamic font "DejaVu Sans,15" background "#ffffff" linewidth 1.4
+} else {
+    set terminal pngcairo size 1800, 1240 font "DejaVu Sans,15" background "#ffffff" linewidth 3 fontscale 1.8 pointscale 1.8
+}
+set output output
+
+set colorsequence podo
+set linetype 1 linecolor rgb "#0072b2" dashtype 1 pointtype 7
+set linetype 2 linecolor rgb "#d55e00" dashtype 2 pointtype 5
+set linetype 3 linecolor rgb "#009e73" dashtype 4 pointtype 9
+set linetype 4 linecolor rgb "#000000" dashtype 3 pointtype 13
+set linetype 5 linecolor rgb "#cc79a7" dashtype 5 pointtype 11
+set linetype 6 linecolor rgb "#e69f00" dashtype 6 pointtype 4
+set linetype 7 linecolor rgb "#56b4e9" dashtype (12, 4) pointtype 6
+set linetype cycle 7
+set style line 90 linecolor rgb "#8a8f94" dashtype (8, 5) linewidth 1
+
+set border 3 linecolor rgb "#57606a"
+set tics nomirror
+set grid linecolor rgb "#e3e6e9" linewidth 0.7, linecolor rgb "#f0f2f4" linewidth 0.5
+set key at screen 0.5, 0.02 bottom center horizontal maxcols 2 samplen 3 spacing 1.15 width 1
+set bmargin 8.2
+set datafile separator tab
+set datafile columnheaders
+set datafile missing NaN
