@@ -126,14 +126,14 @@ void rl_export_run(struct rl_buffer *out, const struct rl_table *table, const st
     rl_export_end(&t);
 }
 
-void rl_export_samples(struct rl_buffer *out, const struct rl_run *const runs[], size_t n_runs,
+void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
                        enum rl_export_format format)
 {
     static const char *const column[] = {"study", "scene", "parameters", "series", "index", "value"};
     struct rl_export t;
     rl_export_begin(&t, out, format, column, sizeof column / sizeof column[0]);
     for (size_t k = 0; k < n_runs; k++)
-        for (const struct rl_record *r = NULL; (r = rl_run_next(runs[k], r, NULL, ""));)
+        for (const struct rl_record *r = NULL; (r = rl_run_next(&runs[k], r, NULL, ""));)
             for (size_t s = 0; s < r->n_series; s++)
                 for (size_t i = 0; i < r->series[s].n; i++) {
                     rl_export_text(&t, r->study);

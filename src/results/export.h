@@ -62,8 +62,8 @@ struct rl_table {
 void rl_export_run(struct rl_buffer *out, const struct rl_table *table, const struct rl_run *run,
                    enum rl_export_format format);
 
-/* Raw samples of every record of the run: columns study, scene, parameters, series, index, value. */
-void rl_export_samples(struct rl_buffer *out, const struct rl_run *const runs[], size_t n_runs,
+/* Raw samples of every record of the runs: columns study, scene, parameters, series, index, value. */
+void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
                        enum rl_export_format format);
 
 /* A column's value in a record, as a text ready to be printed. */

@@ -58,8 +58,7 @@ static void test_tables(void **state)
            "[\n  {\"scene\": \"a\\u0009b\", \"scene_hash\": \"00000000000000ff\", \"method\": \"random\", "
            "\"samples\": 4, \"frame_ms\": 0.1, \"frame_ms_low\": 0.05, \"frame_ms_high\": null, \"rmse\": "
            "null}\n]\n");
-    const struct rl_run *const runs[] = {&run};
-    rl_export_samples(&text, runs, 1, RL_EXPORT_TSV);
+    rl_export_samples(&text, &run, 1, RL_EXPORT_TSV);
     expect(&text, "study\tscene\tparameters\tseries\tindex\tvalue\n"
                   "fps\ta b\tkind=time method=random samples=4\tframe_ms\t0\t0.1\n"
                   "fps\ta b\tkind=time method=random samples=4\tframe_ms\t1\t0.3\n");

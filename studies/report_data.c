@@ -1,0 +1,67 @@
+/* Loads the latest runs, judges them, writes their tables (see report.h). */
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/files.h"
+#include "results/database.h"
+#include "studies/report.h"
+#include "studies/study.h"
+
+int rl_report_load(struct rl_report_data *data, const char *path, struct rl_error *error)
+{
+    *data = (struct rl_report_data){.run = calloc(rl_n_studies, sizeof *data->run)};
+    if (!data->run)
+        return rl_fail_memory(error, "the studies' runs");
+    struct rl_database *db;
+    int status = rl_database_open(&db, path, RL_DATABASE_READ, error);
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
+        status = rl_database_load_run(db, rl_studies[i]->name, &data->run[i], error);
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
+        if (data->run[i].n_records > 0)
+            status = rl_studies[i]->judge(&data->claims, &data->run[i], error);
+    rl_database_close(db);
+    if (status != RL_OK)
+        rl_report_clear(data);
+    return status;
+}
+
+void rl_report_clear(struct rl_report_data *data)
+{
+    for (size_t i = 0; data->run && i < rl_n_studies; i++)
+        rl_run_clear(&data->run[i]);
+    free(data->run);
+    rl_claims_clear(&data->claims);
+    *data = (struct rl_report_data){0};
+}
+
+static int write_table(struct rl_buffer *text, const char *folder, const char *name,
+                       enum rl_export_format format, struct rl_error *error)
+{
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/%s%s", folder, name, rl_export_ending(format));
+    int status = rl_buffer_write(text, path, error);
+    rl_buffer_clear(text);
+    return status;
+}
+
+int rl_report_export(const struct rl_report_data *data, const char *folder, enum rl_export_format format,
+                     struct rl_error *error)
+{
+    struct rl_buffer text = {0};
+    int status = rl_directory_create(folder, error);
+    for (size_t i = 0; i < rl_n_studies; i++)
+        for (size_t t = 0; t < rl_studies[i]->n_tables && status == RL_OK; t++) {
+            rl_export_run(&text, &rl_studies[i]->tables[t], &data->run[i], format);
+            status = write_table(&text, folder, rl_studies[i]->tables[t].name, format, error);
+        }
+    if (status == RL_OK) {
+        rl_export_samples(&text, data->run, rl_n_studies, format);
+        status = write_table(&text, folder, "frame_times", format, error);
+    }
+    if (status == RL_OK) {
+        rl_claims_export(&text, &data->claims, format);
+        status = write_table(&text, folder, "claims", format, error);
+    }
+    return status;
+}
