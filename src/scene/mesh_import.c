@@ -269,9 +269,11 @@ static int complete_normals(struct rl_mesh *mesh, struct rl_error *error)
     rl_vec3 *sum = calloc(mesh->n_vertices, sizeof *sum);
     if (!sum)
         return rl_fail_memory(error, "normals");
+    bool has_area = false;
     for (size_t t = 0; t < mesh->n_triangles; t++) {
         rl_vec3 a = position(mesh, t, 0);
         rl_vec3 n = v3_cross(v3_sub(position(mesh, t, 1), a), v3_sub(position(mesh, t, 2), a));
+        has_area = has_area || v3_dot(n, n) > 0.0;
         for (int i = 0; i < 3; i++)
             sum[mesh->triangle[t][i]] = v3_add(sum[mesh->triangle[t][i]], n);
     }
@@ -281,7 +283,8 @@ static int complete_normals(struct rl_mesh *mesh, struct rl_error *error)
             store(mesh->normal[i], v3_length(n) > 0.5 ? n : v3(0.0, 1.0, 0.0));
         }
     free(sum);
-    return RL_OK;
+    return has_area ? RL_OK
+                    : rl_fail(error, RL_ERR_INPUT, "found only triangles without area, expected a mesh");
 }
 
 static int convert(struct rl_mesh *mesh, const struct aiScene *scene, struct rl_error *error)
