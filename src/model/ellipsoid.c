@@ -67,30 +67,32 @@ double rl_ellipsoid_cdf(const struct rl_ellipsoid *e, double delta)
     return rl_ellipsoid_cdf_sincos(e, sin(delta), cos(delta));
 }
 
-/* s = sin|delta| and t = 1 - s for the tail probability u in [0, 1/2]. */
+/* s = sin|delta| and t = 1 - s for the tail probability u in [0, 1/2].
+ *
+ * With A = atan k, x = 2 u A and y = A - x: s = tan(y)/k and, as cos A = 1/R and sin A = k/R,
+ *
+ *     s = R sin(y)/(k d),  t = R^2 sin(x)/(k d),  d = R cos(y) = cos x + k sin x
+ *
+ * For R < 1, A = atanh k and the same in hyperbolic functions, with cosh A = 1/R. Nothing cancels, so s and t are both
+ * accurate relative to themselves. */
 static void upper_sine(const struct rl_ellipsoid *e, double u, double *s, double *t)
 {
-    double k = e->k;
-    if (k == 0.0) {
+    double middle = 1.0 - 2.0 * u;
+    if (e->k == 0.0) {
+        *s = middle;
         *t = 2.0 * u;
-        *s = 1.0 - *t;
         return;
     }
     double x = 2.0 * u * e->half_range;
-    if (u > 0.25) { /* near delta = 0: the plain form, relative to s */
-        double angle = e->half_range * (1.0 - 2.0 * u);
-        *s = (e->rr >= 1.0 ? tan(angle) : tanh(angle)) / k;
-        *t = 1.0 - *s;
-    } else if (e->rr >= 1.0) {
-        double tangent = tan(x);
-        *t = tangent * (k + 1.0 / k) / (1.0 + k * tangent);
-        *s = 1.0 - *t;
+    double y = middle * e->half_range;
+    if (e->rr >= 1.0) {
+        double kd = e->k * (cos(x) + e->k * sin(x));
+        *s = e->rr * sin(y) / kd;
+        *t = e->rr * e->rr * sin(x) / kd;
     } else {
-        /* tanh(A - x)/k with tanh A = k: s = (1 - tanh(x)/k)/(1 - k tanh x), t = tanh(x) (R^2/k)/(1 - k tanh x). */
-        double tangent = tanh(x);
-        double d = 1.0 - k * tangent;
-        *t = tangent * (e->rr * e->rr / k) / d;
-        *s = (1.0 - tangent / k) / d;
+        double kd = e->k * cosh(y);
+        *s = sinh(y) / kd;
+        *t = e->rr * sinh(x) / kd;
     }
 }
 
@@ -101,8 +103,12 @@ struct rl_delta rl_ellipsoid_inverse(const struct rl_ellipsoid *e, double u)
     double s = 0.0;
     double t = 0.0;
     upper_sine(e, tail, &s, &t);
-    s = fmin(1.0, fmax(0.0, s));
-    t = fmin(1.0, fmax(0.0, t));
+    /* The smaller of the two is the more accurate one in absolute terms; the other follows from it, so that
+     * sin^2 + cos^2 = 1. */
+    if (s > 0.5)
+        s = 1.0 - t;
+    else
+        t = 1.0 - s;
     double c = sqrt(t * (2.0 - t));
     /* atan2 keeps the digits at both ends, where asin or acos alone would lose half of them. */
     double delta = atan2(s, c);
