@@ -1,0 +1,244 @@
+/* The study `samples`: its plan, and that its verdicts follow from the rows: other rows, other verdict. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "studies/study.h"
+
+static const struct rl_place place = {"samples", "made-up", "made-up.yaml", 1};
+
+/* What a made-up world is like: noise of one random normal, its fall with N, the floor with the paper's settings, the error of
+ * the regular pattern at N = 13, and the floors over the environment map's size. */
+struct world {
+    double noise_1, slope, floor, regular_13;
+    double floor_64, floor_256, floor_1024, floor_2048;
+    double spread; /* half width of every interval, relative */
+};
+
+static const struct world usual = {
+    .noise_1 = 0.2,
+    .slope = -0.5,
+    .floor = 0.01,
+    .regular_13 = 0.15,
+    .floor_64 = 0.04,
+    .floor_256 = 0.01,
+    .floor_1024 = 0.0031,
+    .floor_2048 = 0.003,
+    .spread = 0.02,
+};
+
+static void metric(struct rl_record *r, const char *name, double value, double spread)
+{
+    assert_int_equal(
+        rl_record_metric_add(r, name, value, value * (1.0 - spread), value * (1.0 + spread), "1", NULL),
+        RL_OK);
+}
+
+static void fill(struct rl_record *r, double noise, double floor, double spread)
+{
+    metric(r, "rmse", hypot(noise, floor), spread);
+    metric(r, "noise", noise, spread);
+    metric(r, "floor", floor, spread);
+    metric(r, "variance", noise * noise, spread);
+    metric(r, "bias2", floor * floor, spread);
+    r->status = RL_RECORD_OK;
+}
+
+/* Noise, floor and error are those of R_r = 30 divided by `factor`. */
+static void add_rr(struct rl_run *run, const struct world *w, double rr, double factor)
+{
+    for (int n = 1; n <= 1024; n = n == 8 ? 13 : n == 13 ? 16 : 2 * n) {
+        struct rl_record *r = rl_run_add(
+            run, &place, n, NULL, "series=methods setting=paper method=regular samples=%d rr=%g", n, rr);
+        fill(r, 0.0, w->regular_13 * 13.0 / n / factor, 0.0);
+        r = rl_run_add(run, &place, n, NULL, "series=methods setting=paper method=random samples=%d rr=%g", n,
+                       rr);
+        fill(r, w->noise_1 * pow(n, w->slope) / factor, w->floor / factor, w->spread);
+    }
+}
+
+static void make(struct rl_run *run, const struct world *w)
+{
+    *run = (struct rl_run){.study = "samples", .grid = "default"};
+    add_rr(run, w, 3.0, 0.5);
+    add_rr(run, w, 30.0, 1.0);
+    add_rr(run, w, 300.0, 20.0);
+    const struct {
+        int size;
+        double floor;
+    } map[] = {{64, w->floor_64}, {256, w->floor_256}, {1024, w->floor_1024}, {2048, w->floor_2048}};
+    for (int i = 0; i < 4; i++) {
+        struct rl_record *r = rl_run_add(run, &place, 5000 + i, NULL,
+                                         "series=floor samples=1024 rr=30 env_size=%d", map[i].size);
+        fill(r, 0.001, map[i].floor, w->spread);
+    }
+}
+
+static struct rl_claim judge(const struct rl_run *run, const char *words)
+{
+    struct rl_claims claims = {0};
+    assert_int_equal(rl_study_find("samples")->judge(&claims, run, NULL), RL_OK);
+    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
+    for (size_t i = 0; i < claims.n; i++)
+        if (strstr(claims.claim[i].text, words))
+            found = claims.claim[i];
+    rl_claims_clear(&claims);
+    if ((int)found.verdict < 0)
+        fail_msg("no claim says '%s'", words);
+    return found;
+}
+
+static enum rl_verdict verdict_in(struct world w, const char *words)
+{
+    struct rl_run run;
+    make(&run, &w);
+    struct rl_claim c = judge(&run, words);
+    rl_run_clear(&run);
+    return c.verdict;
+}
+
+static void test_flips(void **state)
+{
+    (void)state;
+    struct world w = usual;
+
+    static const char four[] = "paper: 4 random normals a pixel suffice";
+    assert_int_equal(verdict_in(w, four), RL_VERDICT_FAILS);
+    w.noise_1 = 0.1; /* at R_r 300: 0.1/2/20 = 0.0025 */
+    assert_int_equal(verdict_in(w, four), RL_VERDICT_HOLDS_UP_TO);
+    w.noise_1 = w.floor = 0.001;
+    assert_int_equal(verdict_in(w, four), RL_VERDICT_HOLDS);
+
+    w = usual;
+    static const char enough[] = "ours: some number of random normals";
+    assert_int_equal(verdict_in(w, enough), RL_VERDICT_HOLDS_UP_TO); /* the floor is in the way at 3 and 30 */
+    w.noise_1 = 0.05;
+    w.floor = 0.0001;
+    assert_int_equal(verdict_in(w, enough), RL_VERDICT_HOLDS);
+    w.floor = 1.0;
+    assert_int_equal(verdict_in(w, enough), RL_VERDICT_FAILS);
+
+    w = usual;
+    static const char slope[] = "falls as N^(-1/2)";
+    assert_int_equal(verdict_in(w, slope), RL_VERDICT_HOLDS);
+    w.slope = -0.45;
+    assert_int_equal(verdict_in(w, slope), RL_VERDICT_FAILS);
+
+    w = usual;
+    static const char share[] = "most of the squared error is bias";
+    assert_int_equal(verdict_in(w, share), RL_VERDICT_HOLDS); /* 0.2/32 of noise under 0.01 */
+    w.floor = 0.001;
+    assert_int_equal(verdict_in(w, share), RL_VERDICT_FAILS);
+    w.floor = w.noise_1 / 32.0;
+    assert_int_equal(verdict_in(w, share), RL_VERDICT_INCONCLUSIVE);
+
+    w = usual;
+    static const char regular[] = "paper: 4 random normals give no more error than 13 regular";
+    assert_int_equal(verdict_in(w, regular), RL_VERDICT_HOLDS); /* 0.1 against 0.15 */
+    w.regular_13 = 0.05;
+    assert_int_equal(verdict_in(w, regular), RL_VERDICT_FAILS);
+    w.regular_13 = hypot(0.1, 0.01);
+    assert_int_equal(verdict_in(w, regular), RL_VERDICT_INCONCLUSIVE);
+
+    w = usual;
+    static const char truth[] = "nearer to the truth than 13 regular";
+    assert_int_equal(verdict_in(w, truth), RL_VERDICT_HOLDS);
+    w.regular_13 = 0.005;
+    assert_int_equal(verdict_in(w, truth), RL_VERDICT_FAILS);
+
+    w = usual;
+    static const char larger[] = "a larger environment map than 256";
+    assert_int_equal(verdict_in(w, larger), RL_VERDICT_HOLDS);
+    w.floor_2048 = 0.02;
+    assert_int_equal(verdict_in(w, larger), RL_VERDICT_FAILS);
+
+    w = usual;
+    static const char remains[] = "a floor remains";
+    assert_int_equal(verdict_in(w, remains), RL_VERDICT_HOLDS);
+    w.floor_2048 = 0.0016;
+    assert_int_equal(verdict_in(w, remains), RL_VERDICT_FAILS);
+}
+
+static void test_values(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    make(&run, &usual);
+    struct rl_claim c = judge(&run, "falls as N^(-1/2)");
+    assert_true(fabs(c.value + 0.5) < 1e-9);
+    c = judge(&run, "paper: 4 random normals give no more error");
+    assert_true(fabs(c.value - hypot(0.1, 0.01) / 0.15) < 1e-9);
+    c = judge(&run, "a larger environment map");
+    assert_true(fabs(c.value - 0.01 / 0.003) < 1e-9);
+    assert_true(c.low < c.value && c.value < c.high);
+    assert_string_equal(c.study, "samples");
+    assert_string_equal(c.command, "roughlight study run samples --scene made-up.yaml");
+    c = judge(
+        &run,
+        "ours: some number of random normals"); /* needs sqrt(0.2^2/N + 0.01^2)/20 <= 1/255 at R_r 300 */
+    assert_true(c.value == 300.0);
+    rl_run_clear(&run);
+}
+
+/* Nothing measured, or only something: no verdict is made up. */
+static void test_missing(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    make(&run, &usual);
+    for (size_t i = 0; i < run.n_records; i++)
+        run.record[i].status = i % 2 ? RL_RECORD_PLANNED : RL_RECORD_FAILED;
+    struct rl_claims claims = {0};
+    assert_int_equal(rl_study_find("samples")->judge(&claims, &run, NULL), RL_OK);
+    assert_true(claims.n >= 7);
+    for (size_t i = 0; i < claims.n; i++) {
+        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
+        assert_true(isnan(claims.claim[i].value));
+    }
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+}
+
+/* Every case is its own, random has seeds and regular has none, and what the claims need is in every grid. */
+static void test_plan(void **state)
+{
+    (void)state;
+    for (int grid = RL_GRID_QUICK; grid <= RL_GRID_FULL; grid++) {
+        struct rl_run run = {.study = "samples"};
+        assert_int_equal(rl_study_find("samples")->plan(&run, &place, (enum rl_grid)grid, 0, NULL), RL_OK);
+        rl_run_identify(&run, "env");
+        for (size_t i = 0; i < run.n_records; i++) {
+            run.record[i].status = RL_RECORD_OK;
+            for (size_t k = 0; k < i; k++)
+                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
+            bool regular = rl_parameters_match(run.record[i].parameters, "method=regular");
+            assert_true(regular == (rl_parameter_number(run.record[i].parameters, "seeds") == 1.0));
+        }
+        static const char *const needed[] = {
+            "series=methods setting=paper method=random samples=4 rr=30",
+            "series=methods setting=paper method=random samples=4 rr=3",
+            "series=methods setting=paper method=regular samples=13 rr=30",
+            "series=floor env_size=256",
+            "series=floor env_size=512",
+        };
+        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
+            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        rl_run_clear(&run);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_plan),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
