@@ -1,0 +1,228 @@
+/* The runner, with a study of the test's own whose cases cost nothing: what is done is skipped, what failed is tried again, an
+ * interruption keeps what was finished. Also how a case's parameters become settings. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "base/files.h"
+#include "results/database.h"
+#include "studies/runner.h"
+#include "support/temporary.h"
+
+enum { GROUPS = 5 };
+
+static struct temporary folder;
+
+/* What the made-up study did and is to do; a descriptor has no place for a pointer of a test's own. */
+static struct {
+    int measured[GROUPS]; /* times */
+    int failing;          /* this group fails, or -1 */
+    int cancel_after;     /* groups, or -1 */
+    int finished;
+} script;
+
+static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
+                struct rl_error *error)
+{
+    int n = grid == RL_GRID_QUICK ? 2 : GROUPS;
+    for (int g = 0; g < n; g++)
+        for (int arm = 0; arm < 2; arm++)
+            if (!rl_run_add(run, place, first_group + g, error, "number=%d arm=%d", g, arm))
+                return RL_ERR_SYSTEM;
+    return RL_OK;
+}
+
+static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
+                   struct rl_error *error)
+{
+    (void)bench;
+    assert_int_equal(n, 2);
+    assert_true(scene->n_objects > 0);
+    int group = (int)rl_parameter_number(records[0].parameters, "number");
+    script.measured[group]++;
+    script.finished++;
+    if (group == script.failing)
+        return rl_fail(error, RL_ERR_UNAVAILABLE, "out of luck");
+    for (size_t i = 0; i < n; i++) {
+        int status = rl_record_metric_add(&records[i], "answer", 42.0 + group, 42.0, 43.0, "1", error);
+        if (status != RL_OK)
+            return status;
+    }
+    return RL_OK;
+}
+
+static int judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    (void)claims, (void)run, (void)error;
+    return RL_OK;
+}
+
+static const char *const scenes[] = {"sphere-quad", NULL};
+
+static const struct rl_study study = {.name = "made-up",
+                                      .summary = "",
+                                      .text = "",
+                                      .scenes = scenes,
+                                      .plan = plan,
+                                      .measure = measure,
+                                      .judge = judge};
+
+static bool cancelled(void *user)
+{
+    (void)user;
+    return script.cancel_after >= 0 && script.finished >= script.cancel_after;
+}
+
+static char database[PATH_MAX], cache[PATH_MAX];
+
+static int run(enum rl_grid grid, struct rl_run_outcome *outcome, struct rl_error *error)
+{
+    const struct rl_study *const studies[] = {&study};
+    const struct rl_progress progress = {NULL, cancelled, NULL};
+    struct rl_run_options options = {.database = database, .cache = cache, .backend = "osmesa", .grid = grid};
+    *error = (struct rl_error){0};
+    return rl_studies_run(outcome, studies, 1, &options, &progress, error);
+}
+
+static void reset(const char *name)
+{
+    memset(&script, 0, sizeof script);
+    script.failing = script.cancel_after = -1;
+    temporary_path(&folder, database, name);
+    temporary_path(&folder, cache, "cache");
+}
+
+static void load(struct rl_run *loaded)
+{
+    struct rl_database *db;
+    assert_int_equal(rl_database_open(&db, database, RL_DATABASE_READ, NULL), RL_OK);
+    assert_int_equal(rl_database_load_run(db, "made-up", loaded, NULL), RL_OK);
+    rl_database_close(db);
+}
+
+static void test_skips_what_is_done(void **state)
+{
+    (void)state;
+    struct rl_run_outcome o;
+    struct rl_error error;
+    reset("skip.db");
+    if (run(RL_GRID_QUICK, &o, &error) != RL_OK)
+        fail_msg("%s", error.message);
+    assert_true(o.planned == 4 && o.measured == 4 && o.skipped == 0 && o.failed == 0);
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK); /* the full grid holds the quick one */
+    assert_true(o.planned == 10 && o.measured == 6 && o.skipped == 4);
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
+    assert_true(o.measured == 0 && o.skipped == 10);
+    for (int g = 0; g < GROUPS; g++)
+        assert_int_equal(script.measured[g], 1);
+    struct rl_run loaded;
+    load(&loaded);
+    assert_string_equal(loaded.grid, "full");
+    assert_int_equal(rl_run_count(&loaded, RL_RECORD_OK), 10);
+    assert_true(rl_record_metric(&loaded.record[9], "answer")->value == 46.0);
+    rl_run_clear(&loaded);
+}
+
+static void test_tries_failures_again(void **state)
+{
+    (void)state;
+    struct rl_run_outcome o;
+    struct rl_error error;
+    reset("fail.db");
+    script.failing = 3;
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK); /* the others go on */
+    assert_true(o.measured == 8 && o.failed == 2);
+    struct rl_run loaded;
+    load(&loaded);
+    assert_int_equal(loaded.record[6].status, RL_RECORD_FAILED);
+    assert_string_equal(loaded.record[6].message, "out of luck");
+    assert_int_equal(loaded.record[6].n_metrics, 0);
+    rl_run_clear(&loaded);
+    script.failing = -1;
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
+    assert_true(o.measured == 2 && o.skipped == 8 && o.failed == 0);
+    assert_int_equal(script.measured[3], 2);
+    assert_int_equal(script.measured[4], 1);
+}
+
+static void test_interrupted(void **state)
+{
+    (void)state;
+    struct rl_run_outcome o;
+    struct rl_error error;
+    reset("interrupt.db");
+    script.cancel_after = 2;
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_ERR_CANCELLED);
+    assert_int_equal(o.measured, 4);
+    script.cancel_after = -1;
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
+    assert_true(o.measured == 6 && o.skipped == 4);
+    for (int g = 0; g < GROUPS; g++)
+        assert_int_equal(script.measured[g], 1);
+}
+
+static void test_scenes(void **state)
+{
+    (void)state;
+    struct rl_scene scene = {0};
+    struct rl_error error = {0};
+    assert_int_equal(rl_study_scene_load(&scene, "teapot-star", &error), RL_OK);
+    rl_scene_clear(&scene);
+    assert_int_equal(rl_study_scene_load(&scene, "studies/scenes/sphere-quad.yaml", &error), RL_OK);
+    rl_scene_clear(&scene);
+    assert_int_equal(rl_study_scene_load(&scene, "no-such-scene", &error), RL_ERR_INPUT);
+    assert_non_null(strstr(error.message, "no-such-scene"));
+}
+
+static void test_settings(void **state)
+{
+    (void)state;
+    struct rl_settings s;
+    struct rl_error error = {0};
+    assert_int_equal(rl_bench_settings(&s,
+                                       "method=random samples=64 rr=2.5 normal_bits=float env_size=1024 "
+                                       "env_format=rgba16f width=64 height=48 tolerance=1e-3 seeds=8",
+                                       &error),
+                     RL_OK);
+    assert_string_equal(s.method, "random");
+    assert_true(s.samples == 64 && s.rr == 2.5 && s.normal_bits == RL_NORMAL_BITS_FLOAT &&
+                s.env_size == 1024);
+    assert_true(s.env_format == RL_TEXEL_RGBA16F && s.width == 64 && s.height == 48 && s.tolerance == 1e-3);
+    assert_int_equal(rl_bench_settings(&s, "", &error), RL_OK); /* the paper's */
+    assert_true(s.normal_bits == 8 && s.env_size == 256 && s.method == NULL && s.rr == 0.0);
+    assert_int_equal(rl_bench_settings(&s, "method=none", &error), RL_OK);
+    assert_null(s.method);
+    static const char *const bad[] = {"method=magic",    "samples=4.5",    "samples=100000", "rr=-1",
+                                      "normal_bits=two", "env_size=1e300", "env_format=jpeg"};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        assert_int_equal(rl_bench_settings(&s, bad[i], &error), RL_ERR_INPUT);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    temporary_make(&folder);
+    return 0;
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    temporary_remove(&folder);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_skips_what_is_done), cmocka_unit_test(test_tries_failures_again),
+        cmocka_unit_test(test_interrupted),        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_settings),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
