@@ -22,6 +22,9 @@ const struct rl_option rl_options_render[] = {
     {0, "margin", "M|off|auto", "bounding-sphere stencil: sphere radius = (1 + M) x the light's (off)"},
     {0, "size", "WxH", "pixels (the scene's film)"},
     {0, "seed", "S", "seed of the baked random numbers (1)"},
+    {0, "light-from", "WHERE",
+     "reference: lights seen from each point, or from the object's centre as a map does: point, object "
+     "(point)"},
     {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
     {0, "backend", "NAME", "auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
     {0, "threads", "N", "of the CPU renderer ($ROUGHLIGHT_THREADS, all)"},
@@ -61,6 +64,14 @@ static int take_attenuation(struct rl_settings *settings, const char *text, stru
     settings->attenuation = strcmp(text, "on") == 0;
     if (!settings->attenuation && strcmp(text, "off") != 0)
         return rl_fail(error, RL_ERR_INPUT, "--attenuation: found '%s', expected on or off", text);
+    return RL_OK;
+}
+
+static int take_light_from(struct rl_settings *settings, const char *text, struct rl_error *error)
+{
+    settings->light_from = strcmp(text, "object") == 0 ? RL_LIGHT_FROM_OBJECT : RL_LIGHT_FROM_POINT;
+    if (settings->light_from == RL_LIGHT_FROM_POINT && strcmp(text, "point") != 0)
+        return rl_fail(error, RL_ERR_INPUT, "--light-from: found '%s', expected point or object", text);
     return RL_OK;
 }
 
@@ -105,6 +116,8 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
         status = take_seed(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "attenuation")))
         status = take_attenuation(s, text, error);
+    if (status == RL_OK && (text = rl_argument(a, "light-from")))
+        status = take_light_from(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "frame")))
         status = rl_parse_frame(&s->frame, text, "--frame", error);
     if (status == RL_OK && (text = rl_argument(a, "normal-bits")))

@@ -15,7 +15,8 @@ enum { N_BACKENDS = sizeof backends / sizeof backends[0] };
 const char *const rl_gpu_backends[] = {"osmesa", "egl-surfaceless", "egl-device"};
 const size_t rl_n_gpu_backends = sizeof rl_gpu_backends / sizeof rl_gpu_backends[0];
 
-rl_gl_function rl_gpu_symbol(void *library, const char *name) {
+rl_gl_function rl_gpu_symbol(void *library, const char *name)
+{
     void *data = dlsym(library, name);
     rl_gl_function function = NULL;
     memcpy(&function, &data, sizeof function);
@@ -23,17 +24,20 @@ rl_gl_function rl_gpu_symbol(void *library, const char *name) {
 }
 
 /* "auto" and "egl" stand for several. */
-static bool chosen(const struct rl_gpu_backend *backend, const char *name) {
+static bool chosen(const struct rl_gpu_backend *backend, const char *name)
+{
     return strcmp(name, backend->name) == 0 || strcmp(name, "auto") == 0 ||
            (strcmp(name, "egl") == 0 && strncmp(backend->name, "egl-", 4) == 0);
 }
 
-static void copy_string(char *to, size_t size, const struct rl_gl *gl, GLenum name) {
+static void copy_string(char *to, size_t size, const struct rl_gl *gl, GLenum name)
+{
     const GLubyte *text = gl->GetString(name);
     snprintf(to, size, "%s", text ? (const char *)text : "unknown");
 }
 
-static int open_backend(struct rl_gpu *gpu, const struct rl_gpu_backend *backend, struct rl_error *error) {
+static int open_backend(struct rl_gpu *gpu, const struct rl_gpu_backend *backend, struct rl_error *error)
+{
     int status = backend->open(&gpu->state, error);
     if (status != RL_OK)
         return status;
@@ -51,7 +55,8 @@ static int open_backend(struct rl_gpu *gpu, const struct rl_gpu_backend *backend
     return RL_OK;
 }
 
-int rl_gpu_open(struct rl_gpu **out, const char *name, struct rl_error *error) {
+int rl_gpu_open(struct rl_gpu **out, const char *name, struct rl_error *error)
+{
     *out = NULL;
     struct rl_gpu *gpu = calloc(1, sizeof *gpu);
     if (!gpu)
@@ -81,13 +86,15 @@ int rl_gpu_open(struct rl_gpu **out, const char *name, struct rl_error *error) {
     return rl_fail(error, (enum rl_status)status, "no OpenGL 4.5: %.900s", reasons);
 }
 
-void rl_gpu_close(struct rl_gpu *gpu) {
+void rl_gpu_close(struct rl_gpu *gpu)
+{
     if (!gpu)
         return;
     gpu->backend->close(gpu->state);
     free(gpu);
 }
 
-const struct rl_gpu_info *rl_gpu_describe(const struct rl_gpu *gpu) {
+const struct rl_gpu_info *rl_gpu_describe(const struct rl_gpu *gpu)
+{
     return &gpu->info;
 }

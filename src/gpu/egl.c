@@ -31,7 +31,8 @@ struct egl {
     PFNEGLRELEASETHREADPROC release_thread;
 };
 
-static bool has_word(const char *list, const char *word) {
+static bool has_word(const char *list, const char *word)
+{
     size_t length = strlen(word);
     for (const char *at = list; at && (at = strstr(at, word)) != NULL; at += length)
         if ((at == list || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
@@ -39,7 +40,8 @@ static bool has_word(const char *list, const char *word) {
     return false;
 }
 
-static void leave_display(struct egl *e) {
+static void leave_display(struct egl *e)
+{
     if (!e->initialized)
         return;
     e->make_current(e->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -50,7 +52,8 @@ static void leave_display(struct egl *e) {
     e->initialized = false;
 }
 
-static void egl_close(void *state) {
+static void egl_close(void *state)
+{
     struct egl *e = state;
     if (!e)
         return;
@@ -62,7 +65,8 @@ static void egl_close(void *state) {
     free(e);
 }
 
-static int load(struct egl *e, struct rl_error *error) {
+static int load(struct egl *e, struct rl_error *error)
+{
     /* NODELETE: see osmesa.c. */
     e->library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!e->library)
@@ -87,14 +91,16 @@ static int load(struct egl *e, struct rl_error *error) {
 }
 
 /* What went wrong at `step`, with the variable that most often is the cause. */
-static int failed(const struct egl *e, const char *step, struct rl_error *error) {
+static int failed(const struct egl *e, const char *step, struct rl_error *error)
+{
     const char *driver = getenv("GALLIUM_DRIVER");
     bool named = driver && *driver;
     return rl_fail(error, RL_ERR_UNAVAILABLE, "%s failed (EGL error 0x%04x)%s%s", step,
                    (unsigned)e->get_error(), named ? " with GALLIUM_DRIVER=" : "", named ? driver : "");
 }
 
-static int make_context(struct egl *e, struct rl_error *error) {
+static int make_context(struct egl *e, struct rl_error *error)
+{
     static const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                         4,
                                         EGL_CONTEXT_MINOR_VERSION,
@@ -120,7 +126,8 @@ static int make_context(struct egl *e, struct rl_error *error) {
     return RL_OK;
 }
 
-static int open_surfaceless(struct egl *e, struct rl_error *error) {
+static int open_surfaceless(struct egl *e, struct rl_error *error)
+{
     if (!has_word(e->query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless"))
         return rl_fail(error, RL_ERR_UNAVAILABLE,
                        "no EGL_MESA_platform_surfaceless (is Mesa's EGL installed?)");
@@ -129,7 +136,8 @@ static int open_surfaceless(struct egl *e, struct rl_error *error) {
 }
 
 /* The first device that has what we need. */
-static int open_device(struct egl *e, struct rl_error *error) {
+static int open_device(struct egl *e, struct rl_error *error)
+{
     const char *extensions = e->query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     PFNEGLQUERYDEVICESEXTPROC query_devices =
         (PFNEGLQUERYDEVICESEXTPROC)e->get_proc_address("eglQueryDevicesEXT");
@@ -150,7 +158,8 @@ static int open_device(struct egl *e, struct rl_error *error) {
 }
 
 static int egl_open(void **state, int (*open_display)(struct egl *, struct rl_error *),
-                    struct rl_error *error) {
+                    struct rl_error *error)
+{
     struct egl *e = calloc(1, sizeof *e);
     if (!e)
         return rl_fail_memory(error, "the EGL context");
@@ -165,15 +174,18 @@ static int egl_open(void **state, int (*open_display)(struct egl *, struct rl_er
     return RL_OK;
 }
 
-static int egl_open_surfaceless(void **state, struct rl_error *error) {
+static int egl_open_surfaceless(void **state, struct rl_error *error)
+{
     return egl_open(state, open_surfaceless, error);
 }
 
-static int egl_open_device(void **state, struct rl_error *error) {
+static int egl_open_device(void **state, struct rl_error *error)
+{
     return egl_open(state, open_device, error);
 }
 
-static rl_gl_function egl_get_function(void *state, const char *name) {
+static rl_gl_function egl_get_function(void *state, const char *name)
+{
     const struct egl *e = state;
     return (rl_gl_function)e->get_proc_address(name);
 }

@@ -24,13 +24,15 @@ struct point_block {
     float position[4], normal[4], radiance[4];
 };
 
-static void store(float to[3], rl_vec3 v) {
+static void store(float to[3], rl_vec3 v)
+{
     to[0] = (float)v.x;
     to[1] = (float)v.y;
     to[2] = (float)v.z;
 }
 
-static size_t count_vertices(const struct rl_scene *scene) {
+static size_t count_vertices(const struct rl_scene *scene)
+{
     size_t n = 0;
     for (size_t i = 0; i < scene->n_lights; i++)
         for (size_t j = 0; j < scene->light[i].n_polygons; j++)
@@ -39,7 +41,8 @@ static size_t count_vertices(const struct rl_scene *scene) {
 }
 
 static size_t fill_polygon(struct light_vertex *to, const struct rl_polygon *p, const double radiance[3],
-                           float unit) {
+                           float unit)
+{
     size_t n = 0;
     for (int t = 0; t < p->n - 2; t++)
         for (int k = 0; k < 3; k++, n++) {
@@ -50,7 +53,8 @@ static size_t fill_polygon(struct light_vertex *to, const struct rl_polygon *p, 
     return n;
 }
 
-static int fill_vertices(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int fill_vertices(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     const struct rl_scene *scene = gs->scene;
     const struct rl_gl *gl = &gs->gpu->gl;
     size_t count = count_vertices(scene);
@@ -71,7 +75,8 @@ static int fill_vertices(struct rl_gpu_scene *gs, struct rl_error *error) {
     return RL_OK;
 }
 
-static int fill_blocks(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int fill_blocks(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     const struct rl_scene *scene = gs->scene;
     const struct rl_gl *gl = &gs->gpu->gl;
     size_t n = scene->n_lights;
@@ -102,14 +107,16 @@ static int fill_blocks(struct rl_gpu_scene *gs, struct rl_error *error) {
     return RL_OK;
 }
 
-static int fill_lights(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int fill_lights(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     int status = fill_vertices(gs, error);
     if (status == RL_OK)
         status = fill_blocks(gs, error);
     return status == RL_OK ? rl_gl_check(&gs->gpu->gl, "uploading the lights", error) : status;
 }
 
-int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error) {
+int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     GLint largest = 0;
     gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &largest);
@@ -132,7 +139,8 @@ int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error) {
     return fill_lights(gs, error);
 }
 
-void rl_lights_free(struct rl_gpu_scene *gs) {
+void rl_lights_free(struct rl_gpu_scene *gs)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->DeleteVertexArrays(1, &gs->lights.vertex_array);
     gl->DeleteBuffers(1, &gs->lights.vertex_buffer);
@@ -140,7 +148,8 @@ void rl_lights_free(struct rl_gpu_scene *gs) {
     gl->DeleteBuffers(1, &gs->lights.spheres);
 }
 
-int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error) {
+int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     struct rl_gl *gl = &gs->gpu->gl;
     int size = gs->plan->settings.env_size;
     gs->environment_unit = rl_texel_unit(gs->plan->settings.env_format, gs->plan->radiance_scale);
@@ -159,7 +168,8 @@ int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error) {
     return rl_gl_check(gl, "the environment maps' depth buffer", error);
 }
 
-void rl_environments_free(struct rl_gpu_scene *gs) {
+void rl_environments_free(struct rl_gpu_scene *gs)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     if (gs->environment)
         gl->DeleteTextures((GLsizei)gs->plan->n_environments, gs->environment);
@@ -168,7 +178,8 @@ void rl_environments_free(struct rl_gpu_scene *gs) {
     free(gs->environment);
 }
 
-static int bind_face(struct rl_gpu_scene *gs, size_t environment, int face, struct rl_error *error) {
+static int bind_face(struct rl_gpu_scene *gs, size_t environment, int face, struct rl_error *error)
+{
     struct rl_gl *gl = &gs->gpu->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, gs->environment_framebuffer);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
@@ -187,7 +198,8 @@ static const float faces[6][9] = {
     {-1, 0, 0, 0, -1, 0, 0, 0, -1} /* -z: s = -x, t = -y */
 };
 
-static double farthest_vertex(const struct rl_scene *scene, rl_vec3 centre) {
+static double farthest_vertex(const struct rl_scene *scene, rl_vec3 centre)
+{
     double farthest = 0.0;
     for (size_t i = 0; i < scene->n_lights; i++)
         for (size_t j = 0; j < scene->light[i].n_polygons; j++)
@@ -197,7 +209,8 @@ static double farthest_vertex(const struct rl_scene *scene, rl_vec3 centre) {
 }
 
 static int draw_environment(struct rl_gpu_scene *gs, size_t environment, rl_vec3 centre,
-                            struct rl_error *error) {
+                            struct rl_error *error)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     const struct rl_gpu_program *p = &gs->program[gs->plan->environment_program];
     gl->UseProgram(p->id);
@@ -217,7 +230,8 @@ static int draw_environment(struct rl_gpu_scene *gs, size_t environment, rl_vec3
     return RL_OK;
 }
 
-static int draw_environments(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int draw_environments(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     int size = gs->plan->settings.env_size;
     gl->Viewport(0, 0, size, size);
@@ -241,7 +255,8 @@ static int draw_environments(struct rl_gpu_scene *gs, struct rl_error *error) {
     return status;
 }
 
-int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error) {
+int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error)
+{
     double start = rl_clock_seconds();
     *seconds = 0.0;
     int status = fill_lights(gs, error);
@@ -253,7 +268,8 @@ int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl
 }
 
 int rl_gpu_scene_read_environment(struct rl_gpu_scene *gs, size_t object, struct rl_image *image,
-                                  struct rl_error *error) {
+                                  struct rl_error *error)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     if (object >= gs->scene->n_objects || gs->plan->environment[object] < 0)
         return rl_fail(error, RL_ERR_INPUT, "object %zu has no environment map", object);

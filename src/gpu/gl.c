@@ -5,7 +5,8 @@
 #include <string.h>
 
 static void APIENTRY note_error(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
-                                const GLchar *message, const void *user) {
+                                const GLchar *message, const void *user)
+{
     (void)source, (void)id, (void)severity, (void)length;
     /* The table is ours and not const; only the callback's type says so. */
     struct rl_gl *gl = (struct rl_gl *)(uintptr_t)user;
@@ -15,7 +16,8 @@ static void APIENTRY note_error(GLenum source, GLenum type, GLuint id, GLenum se
     gl->complaint[strcspn(gl->complaint, "\n")] = '\0';
 }
 
-int rl_gl_load(struct rl_gl *gl, const struct rl_gpu_backend *backend, void *state, struct rl_error *error) {
+int rl_gl_load(struct rl_gl *gl, const struct rl_gpu_backend *backend, void *state, struct rl_error *error)
+{
     memset(gl, 0, sizeof *gl);
 #define LOAD(type, name) gl->name = (type)backend->get_function(state, "gl" #name);
     RL_GL_FUNCTIONS(LOAD)
@@ -39,7 +41,8 @@ int rl_gl_load(struct rl_gl *gl, const struct rl_gpu_backend *backend, void *sta
     return rl_gl_check(gl, "setting up OpenGL", error);
 }
 
-static const char *error_name(GLenum code) {
+static const char *error_name(GLenum code)
+{
     switch (code) {
     case GL_INVALID_ENUM:
         return "GL_INVALID_ENUM";
@@ -56,7 +59,8 @@ static const char *error_name(GLenum code) {
     }
 }
 
-int rl_gl_check(struct rl_gl *gl, const char *what, struct rl_error *error) {
+int rl_gl_check(struct rl_gl *gl, const char *what, struct rl_error *error)
+{
     GLenum first = gl->GetError();
     if (first == GL_NO_ERROR) {
         gl->complaint[0] = '\0';
@@ -71,7 +75,8 @@ int rl_gl_check(struct rl_gl *gl, const char *what, struct rl_error *error) {
     return status;
 }
 
-int rl_gl_check_framebuffer(struct rl_gl *gl, const char *what, struct rl_error *error) {
+int rl_gl_check_framebuffer(struct rl_gl *gl, const char *what, struct rl_error *error)
+{
     int status = rl_gl_check(gl, what, error);
     if (status != RL_OK)
         return status;

@@ -12,7 +12,8 @@
 /* The numbers of the texts that are in no file; module numbers are below. */
 enum { NUMBER_DEFINES = RL_PLAN_MODULES_MAX, NUMBER_GLUE };
 
-static int append_module(FILE *out, const char *module, size_t number, struct rl_error *error) {
+static int append_module(FILE *out, const char *module, size_t number, struct rl_error *error)
+{
     char relative[256];
     char path[PATH_MAX];
     char *text = NULL;
@@ -29,7 +30,8 @@ static int append_module(FILE *out, const char *module, size_t number, struct rl
 }
 
 int rl_modules_assemble(char **source, const struct rl_plan_program *program, size_t first, size_t end,
-                        const char *defines, const char *glue, struct rl_error *error) {
+                        const char *defines, const char *glue, struct rl_error *error)
+{
     size_t size = 0;
     *source = NULL;
     FILE *out = open_memstream(source, &size);
@@ -52,7 +54,8 @@ int rl_modules_assemble(char **source, const struct rl_plan_program *program, si
 }
 
 /* The first line of the log that is an error; warnings may come before it. */
-static const char *first_error(const char *log) {
+static const char *first_error(const char *log)
+{
     for (const char *line = log; *line;) {
         size_t length = strcspn(line, "\n");
         if (memmem(line, length, "error", 5))
@@ -63,7 +66,8 @@ static const char *first_error(const char *log) {
 }
 
 /* Mesa writes "K:LINE(COLUMN): error: ...", others "K(LINE) : error ..." or "ERROR: K:LINE: ...". */
-static int parse_place(const char *message, size_t *number, int *line, const char **rest) {
+static int parse_place(const char *message, size_t *number, int *line, const char **rest)
+{
     int used = 0;
     int column = 0;
     if (strncmp(message, "ERROR: ", 7) == 0)
@@ -79,7 +83,8 @@ static int parse_place(const char *message, size_t *number, int *line, const cha
     return 1;
 }
 
-int rl_modules_fail(const struct rl_plan_program *program, const char *log, struct rl_error *error) {
+int rl_modules_fail(const struct rl_plan_program *program, const char *log, struct rl_error *error)
+{
     const char *message = first_error(log);
     const char *rest = message;
     size_t number = 0;

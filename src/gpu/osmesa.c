@@ -27,7 +27,8 @@ struct osmesa {
 
 /* OSMesa ends the process by a segmentation fault where the variable names a driver that it was built
  * without. */
-static int check_driver(struct rl_error *error) {
+static int check_driver(struct rl_error *error)
+{
     const char *driver = getenv("GALLIUM_DRIVER");
     if (!driver || !*driver || strcmp(driver, "llvmpipe") == 0 || strcmp(driver, "softpipe") == 0)
         return RL_OK;
@@ -35,7 +36,8 @@ static int check_driver(struct rl_error *error) {
                    driver);
 }
 
-static void osmesa_close(void *state) {
+static void osmesa_close(void *state)
+{
     struct osmesa *o = state;
     if (!o)
         return;
@@ -48,7 +50,8 @@ static void osmesa_close(void *state) {
     free(o);
 }
 
-static int load(struct osmesa *o, struct rl_error *error) {
+static int load(struct osmesa *o, struct rl_error *error)
+{
     /* NODELETE: Mesa and LLVM leave exit handlers and thread-local data behind that must not lose their code.
      */
     o->library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -64,7 +67,8 @@ static int load(struct osmesa *o, struct rl_error *error) {
     return RL_OK;
 }
 
-static int osmesa_open(void **state, struct rl_error *error) {
+static int osmesa_open(void **state, struct rl_error *error)
+{
     /* 4.6 would be refused, though Mesa has it. */
     static const int attributes[] = {OSMESA_FORMAT,
                                      OSMESA_RGBA,
@@ -98,7 +102,8 @@ static int osmesa_open(void **state, struct rl_error *error) {
     return RL_OK;
 }
 
-static rl_gl_function osmesa_get_function(void *state, const char *name) {
+static rl_gl_function osmesa_get_function(void *state, const char *name)
+{
     const struct osmesa *o = state;
     return (rl_gl_function)o->get_proc(name);
 }

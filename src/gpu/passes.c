@@ -4,13 +4,15 @@
 #include "base/clock.h"
 #include "gpu/scene.h"
 
-static void set_params(const struct rl_gl *gl, GLint location, int n, const float params[][4]) {
+static void set_params(const struct rl_gl *gl, GLint location, int n, const float params[][4])
+{
     if (location >= 0 && n > 0)
         gl->Uniform4fv(location, n, params[0]);
 }
 
 static void set_material(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p,
-                         const struct rl_plan_material *m) {
+                         const struct rl_plan_material *m)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     const struct rl_gpu_material *values = &gs->material[m - gs->plan->material];
     gl->Uniform3f(p->specular, values->specular[0], values->specular[1], values->specular[2]);
@@ -27,7 +29,8 @@ static void set_material(const struct rl_gpu_scene *gs, const struct rl_gpu_prog
     }
 }
 
-static void set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p) {
+static void set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     const struct rl_camera *camera = &gs->scene->camera;
     double matrix[16];
@@ -39,7 +42,8 @@ static void set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_progra
     gl->Uniform3f(p->eye, (float)camera->position.x, (float)camera->position.y, (float)camera->position.z);
 }
 
-static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *object, int program) {
+static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *object, int program)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     const struct rl_gpu_program *p = &gs->program[program];
     gl->UseProgram(p->id);
@@ -56,7 +60,8 @@ static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *obj
     gs->counters.triangles += (size_t)object->n_indices / 3;
 }
 
-static void begin_frame(const struct rl_gpu_scene *gs) {
+static void begin_frame(const struct rl_gpu_scene *gs)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
     gl->Viewport(0, 0, gs->width, gs->height);
@@ -70,7 +75,8 @@ static void begin_frame(const struct rl_gpu_scene *gs) {
     gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_SPHERES, gs->lights.spheres);
 }
 
-static void surface_pass(struct rl_gpu_scene *gs) {
+static void surface_pass(struct rl_gpu_scene *gs)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->Disable(GL_BLEND);
     gl->Disable(GL_STENCIL_TEST);
@@ -82,7 +88,8 @@ static void surface_pass(struct rl_gpu_scene *gs) {
     gl->DepthMask(GL_FALSE);
 }
 
-static void sphere_pass(struct rl_gpu_scene *gs) {
+static void sphere_pass(struct rl_gpu_scene *gs)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl->Enable(GL_STENCIL_TEST);
@@ -94,7 +101,8 @@ static void sphere_pass(struct rl_gpu_scene *gs) {
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-static void highlight_pass(struct rl_gpu_scene *gs) {
+static void highlight_pass(struct rl_gpu_scene *gs)
+{
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
@@ -112,7 +120,8 @@ static void highlight_pass(struct rl_gpu_scene *gs) {
     }
 }
 
-int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error) {
+int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error)
+{
     bool spheres = false;
     for (size_t i = 0; i < gs->scene->n_objects; i++)
         spheres = spheres || gs->object[i].material->sphere_program >= 0;

@@ -8,44 +8,35 @@
 
 #include "gpu/modules.h"
 
-unsigned rl_normal_map_step(int size) {
+unsigned rl_normal_map_step(int size)
+{
     double texels = (double)size * (double)size;
     return (unsigned)(0.6180339887498949 * texels) | 1u;
 }
 
-static bool uses(const struct rl_plan_material *m, int index) {
+static bool uses(const struct rl_plan_material *m, int index)
+{
     return m->surface_program == index || m->highlight_program == index || m->sphere_program == index;
 }
 
-static bool agree(const struct rl_plan_material *a, const struct rl_plan_material *b) {
-    return a->method == b->method && a->samples == b->samples && a->n_effects == b->n_effects &&
-           memcmp(a->effect, b->effect, a->n_effects * sizeof(const struct rl_effect *)) == 0;
-}
-
-/* Materials share a program only if it does the same for all. Spheres ask for nothing. */
-static int find_material(const struct rl_plan_material **found, const struct rl_plan *plan, int index,
-                         struct rl_error *error) {
-    *found = NULL;
-    for (size_t i = 0; i < plan->n_materials; i++) {
-        const struct rl_plan_material *m = &plan->material[i];
-        if (!uses(m, index))
-            continue;
-        if (*found && m->sphere_program != index && !agree(m, *found))
-            return rl_fail(error, RL_ERR_INPUT,
-                           "the plan's program %d serves materials of different effects or methods", index);
-        if (!*found)
-            *found = m;
-    }
-    return RL_OK;
+/* The first material that runs the program. Those that share it have the same modules and samples, which is all that the program
+ * is made from. */
+static const struct rl_plan_material *find_material(const struct rl_plan *plan, int index)
+{
+    for (size_t i = 0; i < plan->n_materials; i++)
+        if (uses(&plan->material[i], index))
+            return &plan->material[i];
+    return NULL;
 }
 
 /* Constants of the plan, so that loops have constant bounds. */
-static int write_defines(char **text, const struct rl_plan *plan, const struct rl_plan_material *m,
-                         size_t n_lights, struct rl_error *error) {
+static int write_defines(char **text, const struct rl_plan *plan, size_t index, size_t n_lights,
+                         struct rl_error *error)
+{
     int n = asprintf(text,
                      "#define N_LIGHTS %zu\n#define SAMPLES %d\n"
                      "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
-                     n_lights, m ? m->samples : 1, plan->settings.normal_size,
+                     n_lights, plan->program[index].samples, plan->settings.normal_size,
                      rl_normal_map_step(plan->settings.normal_size));
     if (n < 0) {
         *text = NULL;
@@ -56,7 +47,8 @@ static int write_defines(char **text, const struct rl_plan *plan, const struct r
 
 /* The functions that the surface pass calls: the sum of the material's effects, and the fused highlight or
  * none. */
-static int write_glue(char **text, const struct rl_plan_material *m, struct rl_error *error) {
+static int write_glue(char **text, const struct rl_plan_material *m, struct rl_error *error)
+{
     size_t size = 0;
     FILE *out = open_memstream(text, &size);
     if (!out)
@@ -77,7 +69,8 @@ static int write_glue(char **text, const struct rl_plan_material *m, struct rl_e
 }
 
 static int compile(GLuint *out, struct rl_gl *gl, GLenum stage, const char *source,
-                   const struct rl_plan_program *program, struct rl_error *error) {
+                   const struct rl_plan_program *program, struct rl_error *error)
+{
     GLuint shader = gl->CreateShader(stage);
     GLint compiled = 0;
     gl->ShaderSource(shader, 1, &source, NULL);
@@ -95,7 +88,8 @@ static int compile(GLuint *out, struct rl_gl *gl, GLenum stage, const char *sour
 
 static int assemble_and_compile(GLuint *shader, struct rl_gl *gl, GLenum stage,
                                 const struct rl_plan_program *program, const char *defines, const char *glue,
-                                struct rl_error *error) {
+                                struct rl_error *error)
+{
     char *source = NULL;
     bool vertex = stage == GL_VERTEX_SHADER;
     int status = rl_modules_assemble(&source, program, vertex ? 0 : 1, vertex ? 1 : program->n_modules,
@@ -107,7 +101,8 @@ static int assemble_and_compile(GLuint *shader, struct rl_gl *gl, GLenum stage,
 }
 
 static int link_shaders(struct rl_gl *gl, GLuint id, GLuint vertex, GLuint fragment,
-                        const struct rl_plan_program *program, struct rl_error *error) {
+                        const struct rl_plan_program *program, struct rl_error *error)
+{
     GLint linked = 0;
     gl->AttachShader(id, vertex);
     gl->AttachShader(id, fragment);
@@ -120,7 +115,8 @@ static int link_shaders(struct rl_gl *gl, GLuint id, GLuint vertex, GLuint fragm
     return rl_modules_fail(program, log, error);
 }
 
-static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl) {
+static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
+{
     p->clip_from_world = gl->GetUniformLocation(p->id, "clip_from_world");
     p->eye = gl->GetUniformLocation(p->id, "eye");
     p->specular = gl->GetUniformLocation(p->id, "specular");
@@ -144,7 +140,8 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl) {
 
 /* With the texts at hand that the caller frees. */
 static int build(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_plan_program *program,
-                 const char *defines, const char *glue, struct rl_error *error) {
+                 const char *defines, const char *glue, struct rl_error *error)
+{
     GLuint vertex = 0;
     GLuint fragment = 0;
     p->id = gl->CreateProgram();
@@ -163,14 +160,14 @@ static int build(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_pla
 }
 
 int rl_program_make(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_plan *plan, size_t index,
-                    size_t n_lights, struct rl_error *error) {
+                    size_t n_lights, struct rl_error *error)
+{
     const struct rl_plan_program *program = &plan->program[index];
     char *defines = NULL;
     char *glue = NULL;
     *p = (struct rl_gpu_program){0};
-    int status = find_material(&p->material, plan, (int)index, error);
-    if (status == RL_OK)
-        status = write_defines(&defines, plan, p->material, n_lights, error);
+    p->material = find_material(plan, (int)index);
+    int status = write_defines(&defines, plan, index, n_lights, error);
     if (status == RL_OK && p->material && p->material->surface_program == (int)index)
         status = write_glue(&glue, p->material, error);
     if (status == RL_OK)
@@ -180,7 +177,8 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_
     return status;
 }
 
-void rl_program_free(struct rl_gpu_program *program, const struct rl_gl *gl) {
+void rl_program_free(struct rl_gpu_program *program, const struct rl_gl *gl)
+{
     if (program->id)
         gl->DeleteProgram(program->id);
     program->id = 0;

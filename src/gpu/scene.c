@@ -8,7 +8,8 @@
 
 #include "gpu/textures.h"
 
-static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     struct rl_gl *gl = &gs->gpu->gl;
     GLint largest = 0;
     gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -34,7 +35,8 @@ static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error) {
     return rl_gl_check_framebuffer(gl, what, error);
 }
 
-static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     for (size_t i = 0; i < gs->plan->n_programs; i++) {
         int status = rl_program_make(&gs->program[i], &gs->gpu->gl, gs->plan, i, gs->scene->n_lights, error);
         if (status != RL_OK)
@@ -44,7 +46,8 @@ static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error) {
     return RL_OK;
 }
 
-static int make_tables(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int make_tables(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     const struct rl_plan *plan = gs->plan;
     struct rl_gl *gl = &gs->gpu->gl;
     size_t *bytes = &gs->counters.bytes_uploaded;
@@ -59,13 +62,15 @@ static int make_tables(struct rl_gpu_scene *gs, struct rl_error *error) {
     return status;
 }
 
-static void pack_vec4(float to[RL_EFFECT_PARAMS][4], double from[RL_EFFECT_PARAMS][4], int n) {
+static void pack_vec4(float to[RL_EFFECT_PARAMS][4], double from[RL_EFFECT_PARAMS][4], int n)
+{
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 4; c++)
             to[i][c] = (float)from[i][c];
 }
 
-static void pack_materials(struct rl_gpu_scene *gs) {
+static void pack_materials(struct rl_gpu_scene *gs)
+{
     for (size_t i = 0; i < gs->plan->n_materials; i++) {
         const struct rl_plan_material *m = &gs->plan->material[i];
         const struct rl_material *material = &gs->scene->material[m->material];
@@ -86,7 +91,8 @@ static void pack_materials(struct rl_gpu_scene *gs) {
 }
 
 static int upload_mesh(struct rl_gpu_object *object, struct rl_gpu_scene *gs, const struct rl_mesh *mesh,
-                       struct rl_error *error) {
+                       struct rl_error *error)
+{
     struct rl_gl *gl = &gs->gpu->gl;
     float(*vertex)[2][3] = malloc(mesh->n_vertices * sizeof *vertex);
     if (!vertex)
@@ -116,7 +122,8 @@ static int upload_mesh(struct rl_gpu_object *object, struct rl_gpu_scene *gs, co
     return rl_gl_check(gl, "uploading a mesh", error);
 }
 
-static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     for (size_t i = 0; i < gs->scene->n_objects; i++) {
         struct rl_gpu_object *object = &gs->object[i];
         const struct rl_mesh *mesh = &gs->scene->object[i].mesh;
@@ -135,7 +142,8 @@ static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error) {
     return RL_OK;
 }
 
-static int allocate(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int allocate(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     const struct rl_plan *plan = gs->plan;
     gs->program = calloc(plan->n_programs + 1, sizeof *gs->program);
     gs->material = calloc(plan->n_materials + 1, sizeof *gs->material);
@@ -148,7 +156,8 @@ static int allocate(struct rl_gpu_scene *gs, struct rl_error *error) {
     return RL_OK;
 }
 
-static int prepare(struct rl_gpu_scene *gs, struct rl_error *error) {
+static int prepare(struct rl_gpu_scene *gs, struct rl_error *error)
+{
     int (*const steps[])(struct rl_gpu_scene *, struct rl_error *) = {
         allocate,       make_framebuffer, make_programs, make_tables, rl_environments_make,
         rl_lights_make, make_objects,
@@ -164,7 +173,8 @@ static int prepare(struct rl_gpu_scene *gs, struct rl_error *error) {
 }
 
 int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struct rl_scene *scene,
-                      const struct rl_plan *plan, struct rl_error *error) {
+                      const struct rl_plan *plan, struct rl_error *error)
+{
     *out = NULL;
     struct rl_gpu_scene *gs = calloc(1, sizeof *gs);
     if (!gs)
@@ -183,7 +193,8 @@ int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struc
     return RL_OK;
 }
 
-void rl_gpu_scene_free(struct rl_gpu_scene *gs) {
+void rl_gpu_scene_free(struct rl_gpu_scene *gs)
+{
     if (!gs)
         return;
     const struct rl_gl *gl = &gs->gpu->gl;
@@ -211,7 +222,8 @@ void rl_gpu_scene_free(struct rl_gpu_scene *gs) {
     free(gs);
 }
 
-int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error) {
+int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error)
+{
     struct rl_gl *gl = &gs->gpu->gl;
     int status = rl_image_allocate(image, gs->width, gs->height, 4, error);
     if (status != RL_OK)
@@ -227,10 +239,12 @@ int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl
     return status;
 }
 
-struct rl_gpu_counters rl_gpu_scene_counters(const struct rl_gpu_scene *gs) {
+struct rl_gpu_counters rl_gpu_scene_counters(const struct rl_gpu_scene *gs)
+{
     return gs->counters;
 }
 
-void rl_gpu_scene_reset_counters(struct rl_gpu_scene *gs) {
+void rl_gpu_scene_reset_counters(struct rl_gpu_scene *gs)
+{
     gs->counters = (struct rl_gpu_counters){0};
 }

@@ -8,7 +8,8 @@
 
 #include "model/ellipsoid.h"
 
-struct rl_texel_storage rl_texel_storage(enum rl_texel_format format) {
+struct rl_texel_storage rl_texel_storage(enum rl_texel_format format)
+{
     static const struct rl_texel_storage storage[RL_TEXEL_FORMATS] = {
         [RL_TEXEL_RGBA8] = {GL_RGBA8, 4},
         [RL_TEXEL_RGB10A2] = {GL_RGB10_A2, 4},
@@ -20,7 +21,8 @@ struct rl_texel_storage rl_texel_storage(enum rl_texel_format format) {
     return storage[format];
 }
 
-float rl_texel_unit(enum rl_texel_format format, float radiance_scale) {
+float rl_texel_unit(enum rl_texel_format format, float radiance_scale)
+{
     if (!(radiance_scale > 0.0f))
         return 1.0f;
     switch (format) {
@@ -37,11 +39,13 @@ float rl_texel_unit(enum rl_texel_format format, float radiance_scale) {
 }
 
 /* (v + 1)/2 in steps of 1/levels. */
-static unsigned quantize(double v, unsigned levels) {
+static unsigned quantize(double v, unsigned levels)
+{
     return (unsigned)lround((v + 1.0) / 2.0 * levels);
 }
 
-static void store_float(void *data, size_t i, struct rl_microfacet h) {
+static void store_float(void *data, size_t i, struct rl_microfacet h)
+{
     float *to = (float *)data + 4 * i;
     to[0] = (float)((h.x + 1.0) / 2.0);
     to[1] = (float)((h.y + 1.0) / 2.0);
@@ -49,7 +53,8 @@ static void store_float(void *data, size_t i, struct rl_microfacet h) {
     to[3] = 1.0f;
 }
 
-static void store_8(void *data, size_t i, struct rl_microfacet h) {
+static void store_8(void *data, size_t i, struct rl_microfacet h)
+{
     uint8_t *to = (uint8_t *)data + 4 * i;
     to[0] = (uint8_t)quantize(h.x, 255);
     to[1] = (uint8_t)quantize(h.y, 255);
@@ -57,13 +62,15 @@ static void store_8(void *data, size_t i, struct rl_microfacet h) {
     to[3] = 255;
 }
 
-static void store_10(void *data, size_t i, struct rl_microfacet h) {
+static void store_10(void *data, size_t i, struct rl_microfacet h)
+{
     uint32_t *to = (uint32_t *)data + i;
     *to = quantize(h.x, 1023) | quantize(h.y, 1023) << 10 | quantize(h.z, 1023) << 20 | 3u << 30;
 }
 
 /* Any other number of bits in a texel of 16, within half a step of those 16. */
-static void store_16(void *data, size_t i, struct rl_microfacet h, int bits) {
+static void store_16(void *data, size_t i, struct rl_microfacet h, int bits)
+{
     uint16_t *to = (uint16_t *)data + 4 * i;
     unsigned levels = (1u << bits) - 1;
     const double v[3] = {h.x, h.y, h.z};
@@ -72,7 +79,8 @@ static void store_16(void *data, size_t i, struct rl_microfacet h, int bits) {
     to[3] = UINT16_MAX;
 }
 
-static void store(void *data, size_t i, struct rl_microfacet h, int bits) {
+static void store(void *data, size_t i, struct rl_microfacet h, int bits)
+{
     switch (bits) {
     case RL_NORMAL_BITS_HALF:
     case RL_NORMAL_BITS_FLOAT:
@@ -89,7 +97,8 @@ static void store(void *data, size_t i, struct rl_microfacet h, int bits) {
     }
 }
 
-static struct rl_normal_texels layout(int bits) {
+static struct rl_normal_texels layout(int bits)
+{
     switch (bits) {
     case RL_NORMAL_BITS_HALF: /* OpenGL rounds to half on upload */
         return (struct rl_normal_texels){NULL, 16, GL_RGBA16F, GL_RGBA, GL_FLOAT};
@@ -105,7 +114,8 @@ static struct rl_normal_texels layout(int bits) {
 }
 
 int rl_normal_texels_make(struct rl_normal_texels *texels, const struct rl_plan_normal_map *map,
-                          const struct rl_settings *settings, struct rl_error *error) {
+                          const struct rl_settings *settings, struct rl_error *error)
+{
     *texels = layout(settings->normal_bits);
     long count = (long)settings->normal_size * settings->normal_size;
     texels->bytes *= (size_t)count;
@@ -122,7 +132,8 @@ int rl_normal_texels_make(struct rl_normal_texels *texels, const struct rl_plan_
 }
 
 /* No filter mixes normals or lights, and there are no smaller levels. */
-static void use_single_texels(const struct rl_gl *gl, GLenum target) {
+static void use_single_texels(const struct rl_gl *gl, GLenum target)
+{
     gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -130,7 +141,8 @@ static void use_single_texels(const struct rl_gl *gl, GLenum target) {
 }
 
 int rl_normal_map_make(GLuint *texture, struct rl_gl *gl, const struct rl_plan_normal_map *map,
-                       const struct rl_settings *settings, size_t *bytes, struct rl_error *error) {
+                       const struct rl_settings *settings, size_t *bytes, struct rl_error *error)
+{
     struct rl_normal_texels texels;
     int size = settings->normal_size;
     int status = rl_normal_texels_make(&texels, map, settings, error);
@@ -148,7 +160,8 @@ int rl_normal_map_make(GLuint *texture, struct rl_gl *gl, const struct rl_plan_n
 }
 
 int rl_pattern_make(GLuint *buffer, struct rl_gl *gl, const struct rl_plan_pattern *pattern, size_t *bytes,
-                    struct rl_error *error) {
+                    struct rl_error *error)
+{
     struct rl_microfacet microfacet[RL_SAMPLES_MAX];
     float data[RL_SAMPLES_MAX][4];
     struct rl_ellipsoid e = rl_ellipsoid_make(pattern->rr);
@@ -168,7 +181,8 @@ int rl_pattern_make(GLuint *buffer, struct rl_gl *gl, const struct rl_plan_patte
 }
 
 int rl_cube_make(GLuint *texture, struct rl_gl *gl, const struct rl_settings *settings,
-                 struct rl_error *error) {
+                 struct rl_error *error)
+{
     GLint largest = 0;
     gl->GetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &largest);
     if (settings->env_size > largest)

@@ -30,6 +30,10 @@ enum { RL_FILM_MAX = 16384 }; /* pixels along either side */
 
 enum rl_margin { RL_MARGIN_OFF, RL_MARGIN_AUTO, RL_MARGIN_VALUE };
 
+/* Where the reference sees the lights from: each pixel's own point, or its object's centre as an environment map does. The
+ * difference is the map's parallax error. */
+enum rl_light_from { RL_LIGHT_FROM_POINT, RL_LIGHT_FROM_OBJECT };
+
 struct rl_settings {
     const char *method; /* overrides every material's; NULL: as the scene says */
     int samples;        /* 1 to 1024; 0: the method's default */
@@ -46,6 +50,7 @@ struct rl_settings {
     enum rl_frame_kind frame;
     /* Reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1. */
     double tolerance;
+    enum rl_light_from light_from; /* reference */
 };
 
 /* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame; seed 1; tolerance 1e-5. */

@@ -1,0 +1,152 @@
+/* `plan`: what a scene calls for, in the order in which it happens. */
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/render_options.h"
+#include "scene/plan.h"
+
+static void row(struct rl_rows *rows, const char *kind, const char *name, const char *detail)
+{
+    rl_rows_text(rows, kind);
+    rl_rows_text(rows, name);
+    rl_rows_text(rows, detail);
+}
+
+static void effect_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    char detail[512];
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_plan_material *m = &plan->material[i];
+        snprintf(detail, sizeof detail, "material %s", scene->material[m->material].name);
+        for (size_t j = 0; j < m->n_effects; j++)
+            row(rows, "effect", m->effect[j]->name, detail);
+        if (!m->method)
+            continue;
+        size_t used = strlen(detail);
+        if (m->method->sampled)
+            snprintf(detail + used, sizeof detail - used, ", R_r %g, %d samples", m->rr, m->samples);
+        else
+            snprintf(detail + used, sizeof detail - used, ", R_r %g", m->rr);
+        row(rows, "highlight", m->method->name, detail);
+    }
+}
+
+static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    char name[64];
+    char detail[512];
+    char bits[16];
+    const struct rl_settings *s = &plan->settings;
+    rl_normal_bits_name(bits, s->normal_bits);
+    for (size_t i = 0; i < plan->n_normal_maps; i++) {
+        snprintf(name, sizeof name, "normal map %zu", i);
+        snprintf(detail, sizeof detail, "%dx%d, %s bits a component, R_r %g, seed %llu", s->normal_size,
+                 s->normal_size, bits, plan->normal_map[i].rr, (unsigned long long)s->seed);
+        row(rows, "texture", name, detail);
+    }
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        if (plan->environment[i] < 0)
+            continue;
+        snprintf(name, sizeof name, "environment map %d", plan->environment[i]);
+        snprintf(detail, sizeof detail, "6x%dx%d %s, seen from object %s", s->env_size, s->env_size,
+                 rl_texel_format_name(s->env_format), scene->object[i].name);
+        row(rows, "texture", name, detail);
+    }
+    for (size_t i = 0; i < plan->n_patterns; i++) {
+        snprintf(name, sizeof name, "pattern %zu", i);
+        snprintf(detail, sizeof detail, "%d normals, R_r %g", plan->pattern[i].samples, plan->pattern[i].rr);
+        row(rows, "buffer", name, detail);
+    }
+}
+
+/* The objects whose material runs program `index` in its pass, as "objects a, b". */
+static void users(char detail[], size_t size, const struct rl_scene *scene, const struct rl_plan *plan,
+                  int index)
+{
+    size_t used = (size_t)snprintf(detail, size, "objects");
+    for (size_t i = 0; i < scene->n_objects && used < size; i++) {
+        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
+        bool environment = index == plan->environment_program && plan->environment[i] >= 0;
+        if (environment || m->surface_program == index || m->highlight_program == index ||
+            m->sphere_program == index)
+            used += (size_t)snprintf(detail + used, size - used, " %s", scene->object[i].name);
+    }
+}
+
+static void program_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan,
+                         const char *pass)
+{
+    char name[64];
+    char detail[1024];
+    for (size_t i = 0; i < plan->n_programs; i++) {
+        const struct rl_plan_program *p = &plan->program[i];
+        if (strcmp(p->pass, pass) != 0)
+            continue;
+        snprintf(name, sizeof name, "%s, program %zu", p->pass, i);
+        users(detail, sizeof detail, scene, plan, (int)i);
+        row(rows, "pass", name, detail);
+        for (size_t j = 0; j < p->n_modules; j++) {
+            snprintf(detail, sizeof detail, "program %zu", i);
+            row(rows, "module", p->module[j], detail);
+        }
+    }
+}
+
+static int print(const struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_settings settings = scene->settings;
+    struct rl_plan plan = {0};
+    enum rl_output format;
+    int status = rl_argument_output(a, &format, error);
+    if (status == RL_OK)
+        status = rl_argument_settings(&settings, a, error);
+    if (status == RL_OK)
+        status = rl_plan_make(&plan, scene, &settings, error);
+    if (status != RL_OK)
+        return status;
+    struct rl_rows rows;
+    rl_rows_begin(&rows, format, (const char *const[]){"kind", "name", "detail", NULL});
+    effect_rows(&rows, scene, &plan);
+    texture_rows(&rows, scene, &plan);
+    if (plan.on_cpu)
+        row(&rows, "pass", "cpu",
+            "Embree finds each pixel's point; effects and highlight are evaluated in double precision");
+    static const char *const passes[] = {"environment", "surface", "sphere", "highlight"};
+    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
+        program_rows(&rows, scene, &plan, passes[i]);
+    rl_rows_end(&rows);
+    rl_plan_clear(&plan);
+    return RL_OK;
+}
+
+static int run(const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_scene scene;
+    int status = rl_scene_load(&scene, a->positional[0], error);
+    if (status != RL_OK)
+        return rl_exit_of(status);
+    status = print(&scene, a, error);
+    rl_scene_clear(&scene);
+    return rl_exit_of(status);
+}
+
+const struct rl_command rl_command_plan = {
+    .name = "plan",
+    .arguments = "SCENE [options]",
+    .min_positionals = 1,
+    .max_positionals = 1,
+    .summary = "what a scene calls for: effects, textures, passes and shader modules",
+    .description =
+        "Prints, in order, the effects that the scene's materials ask for and the textures, passes and "
+        "shader modules that\n"
+        "follow from them. What is not listed is not allocated, compiled or drawn. Rows: kind, name, detail; "
+        "kinds are\n"
+        "effect, highlight, texture, buffer, pass, module.\n\n"
+        "  roughlight plan studies/scenes/teapot-star.yaml\n"
+        "  roughlight plan studies/scenes/teapot-star.yaml --method plain        what one pass alone needs\n"
+        "  roughlight plan studies/scenes/two-roughness.yaml --margin 0.2 --format json",
+    .options = (const struct rl_option *const[]){rl_options_render, rl_options_format, NULL},
+    .run = run,
+};

@@ -1,0 +1,157 @@
+/* `render`: one image of a scene, by the GPU pipeline or the CPU renderer, whichever the methods need. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/files.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/output.h"
+#include "cli/render_options.h"
+#include "gpu/gpu.h"
+#include "image/image.h"
+#include "reference/renderer.h"
+#include "results/stamp.h"
+#include "scene/plan.h"
+
+static const struct rl_option options_render[] = {
+    {'o', "output", "FILE", "where to write: .exr (32-bit float) or .png (8-bit sRGB); needed"},
+    {0},
+};
+
+struct drawing {
+    struct rl_image image;
+    char renderer[160];
+    double seconds;
+};
+
+static int draw_on_gpu(struct drawing *d, const struct rl_scene *scene, const struct rl_plan *plan,
+                       const char *backend, struct rl_error *error)
+{
+    struct rl_gpu *gpu = NULL;
+    struct rl_gpu_scene *gs = NULL;
+    int status = rl_gpu_open(&gpu, backend, error);
+    if (status == RL_OK)
+        status = rl_gpu_scene_make(&gs, gpu, scene, plan, error);
+    if (status == RL_OK)
+        status = rl_gpu_scene_frame(gs, &d->seconds, error);
+    /* The first frame compiled the shaders; the second is what a frame takes. */
+    if (status == RL_OK)
+        status = rl_gpu_scene_frame(gs, &d->seconds, error);
+    if (status == RL_OK)
+        status = rl_gpu_scene_read(gs, &d->image, error);
+    if (status == RL_OK) {
+        const struct rl_gpu_info *info = rl_gpu_describe(gpu);
+        snprintf(d->renderer, sizeof d->renderer, "%s on %s", info->renderer, info->backend);
+        fprintf(stderr, "render: %.2f ms a frame, %s\n", 1e3 * d->seconds, d->renderer);
+    }
+    rl_gpu_scene_free(gs);
+    rl_gpu_close(gpu);
+    return status;
+}
+
+static int draw_on_cpu(struct drawing *d, const struct rl_scene *scene, const struct rl_plan *plan,
+                       int threads, struct rl_error *error)
+{
+    struct rl_console console;
+    struct rl_render_stats stats;
+    const struct rl_progress *progress = rl_console_begin(&console);
+    int status = rl_reference_render(&d->image, &stats, scene, plan, threads, progress, error);
+    rl_console_end(&console);
+    if (status != RL_OK)
+        return status;
+    char embree[64];
+    rl_reference_library(embree);
+    snprintf(d->renderer, sizeof d->renderer, "CPU, Embree %s", embree);
+    d->seconds = stats.seconds;
+    fprintf(stderr, "render: %.2f s, %zu foreground pixels, %zu lines, largest error estimate %.2g\n",
+            stats.seconds, stats.foreground, stats.evaluations, stats.worst_error);
+    if (stats.unconverged > 0)
+        fprintf(stderr, "render: warning: %zu pixels stayed above the tolerance\n", stats.unconverged);
+    return RL_OK;
+}
+
+static int write_image(struct drawing *d, const struct rl_scene *scene, const struct rl_plan *plan,
+                       const char *path, struct rl_error *error)
+{
+    struct rl_write_report report = {0};
+    int status = rl_stamp_image(&d->image, scene, plan, d->renderer, d->seconds, error);
+    if (status == RL_OK)
+        status = rl_image_write(&d->image, path, &report, error);
+    if (status == RL_OK && report.clipped > 0)
+        fprintf(stderr, "render: warning: %zu values outside [0, 1] were clipped in %s; .exr keeps them\n",
+                report.clipped, path);
+    return status;
+}
+
+/* Before any long work: that the file's kind is known and its folder can be written. */
+static int check_output(const char *path, struct rl_error *error)
+{
+    if (!path)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "--output is missing, expected a file name ending in .exr or .png");
+    const char *dot = strrchr(path, '.');
+    if (!dot || (strcmp(dot, ".exr") != 0 && strcmp(dot, ".png") != 0))
+        return rl_fail(error, RL_ERR_INPUT,
+                       "--output: found '%s', expected a file name ending in .exr or .png", path);
+    char temporary[4096];
+    int status = rl_file_begin(temporary, sizeof temporary, path, error);
+    if (status == RL_OK)
+        rl_file_abandon(temporary);
+    return status;
+}
+
+static int render(const struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_settings settings = scene->settings;
+    struct rl_plan plan = {0};
+    struct drawing drawing = {0};
+    int threads = 0;
+    const char *path = rl_argument(a, "output");
+    int status = rl_argument_settings(&settings, a, error);
+    if (status == RL_OK)
+        status = rl_argument_threads(a, &threads, error);
+    if (status == RL_OK)
+        status = check_output(path, error);
+    if (status == RL_OK)
+        status = rl_plan_make(&plan, scene, &settings, error);
+    if (status == RL_OK && plan.on_cpu)
+        status = draw_on_cpu(&drawing, scene, &plan, threads, error);
+    else if (status == RL_OK)
+        status = draw_on_gpu(&drawing, scene, &plan, rl_argument_backend(a), error);
+    if (status == RL_OK)
+        status = write_image(&drawing, scene, &plan, path, error);
+    rl_image_clear(&drawing.image);
+    rl_plan_clear(&plan);
+    return status;
+}
+
+static int run(const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_scene scene;
+    int status = rl_scene_load(&scene, a->positional[0], error);
+    if (status != RL_OK)
+        return rl_exit_of(status);
+    status = render(&scene, a, error);
+    rl_scene_clear(&scene);
+    return rl_exit_of(status);
+}
+
+const struct rl_command rl_command_render = {
+    .name = "render",
+    .arguments = "SCENE -o FILE [options]",
+    .min_positionals = 1,
+    .max_positionals = 1,
+    .summary = "render a scene to an EXR or PNG",
+    .description =
+        "Renders a scene file on the GPU, or on the CPU if the method is `reference`. What an option does "
+        "not say, the\n"
+        "scene file's `render` block says, else the default in brackets. The image carries its provenance "
+        "as\n"
+        "attributes (iinfo -v shows them).\n\n"
+        "  roughlight render studies/scenes/teapot-star.yaml --method random --samples 4 -o a.exr\n"
+        "  roughlight render studies/scenes/teapot-star.yaml --method reference -o r.exr\n"
+        "  roughlight compare a.exr r.exr",
+    .options = (const struct rl_option *const[]){options_render, rl_options_render, NULL},
+    .run = run,
+};

@@ -1,0 +1,130 @@
+/* Embree's part of the CPU renderer (see visible.h). */
+#include "reference/visible.h"
+
+#include <embree3/rtcore.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct rl_visible {
+    const struct rl_scene *scene;
+    RTCDevice device;
+    RTCScene world;
+};
+
+/* Rejects hits on back faces, so that the ray goes on through them as the rasteriser does. Embree's geometric normal is
+ * (v1 - v0) x (v2 - v0). */
+static void cull_back_face(const struct RTCFilterFunctionNArguments *a)
+{
+    const struct RTCRay *ray = (const struct RTCRay *)a->ray;
+    const struct RTCHit *hit = (const struct RTCHit *)a->hit;
+    float facing = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z;
+    if (!(facing < 0.0f))
+        a->valid[0] = 0;
+}
+
+static int attach_mesh(struct rl_visible *v, const struct rl_mesh *mesh, unsigned id, struct rl_error *error)
+{
+    RTCGeometry geometry = rtcNewGeometry(v->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    float *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                               sizeof *mesh->position, mesh->n_vertices);
+    unsigned *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                sizeof *mesh->triangle, mesh->n_triangles);
+    if (positions && indices) {
+        memcpy(positions, mesh->position, mesh->n_vertices * sizeof *mesh->position);
+        memcpy(indices, mesh->triangle, mesh->n_triangles * sizeof *mesh->triangle);
+        rtcSetGeometryIntersectFilterFunction(geometry, cull_back_face);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(v->world, geometry, id);
+    }
+    rtcReleaseGeometry(geometry);
+    if (!positions || !indices)
+        return rl_fail_memory(error, "Embree's copy of a mesh");
+    return RL_OK;
+}
+
+int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, struct rl_error *error)
+{
+    struct rl_visible *v = calloc(1, sizeof *v);
+    *out = NULL;
+    if (!v)
+        return rl_fail_memory(error, "the CPU renderer");
+    v->scene = scene;
+    v->device = rtcNewDevice("verbose=0");
+    if (!v->device) {
+        free(v);
+        return rl_fail(error, RL_ERR_UNAVAILABLE, "Embree refuses to start (error %d)",
+                       (int)rtcGetDeviceError(NULL));
+    }
+    v->world = rtcNewScene(v->device);
+    /* Robust: no ray slips between two triangles along their common edge. */
+    rtcSetSceneFlags(v->world, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(v->world, RTC_BUILD_QUALITY_HIGH);
+    int status = RL_OK;
+    for (size_t i = 0; i < scene->n_objects && status == RL_OK; i++)
+        status = attach_mesh(v, &scene->object[i].mesh, (unsigned)i, error);
+    if (status == RL_OK)
+        rtcCommitScene(v->world);
+    enum RTCError fault = rtcGetDeviceError(v->device);
+    if (status == RL_OK && fault != RTC_ERROR_NONE)
+        status = rl_fail(error, RL_ERR_SYSTEM, "Embree cannot take the scene (error %d)", (int)fault);
+    if (status != RL_OK) {
+        rl_visible_free(v);
+        return status;
+    }
+    *out = v;
+    return RL_OK;
+}
+
+void rl_visible_free(struct rl_visible *v)
+{
+    if (!v)
+        return;
+    rtcReleaseScene(v->world);
+    rtcReleaseDevice(v->device);
+    free(v);
+}
+
+static rl_vec3 vertex_vector(const float v[3])
+{
+    return v3(v[0], v[1], v[2]);
+}
+
+/* Mean of a triangle's corner values, weighted by the barycentric coordinates (1 - u - v, u, v). */
+static rl_vec3 interpolate(float (*values)[3], const uint32_t corner[3], double u, double v)
+{
+    rl_vec3 sum = v3_scale(1.0 - u - v, vertex_vector(values[corner[0]]));
+    sum = v3_madd(sum, u, vertex_vector(values[corner[1]]));
+    return v3_madd(sum, v, vertex_vector(values[corner[2]]));
+}
+
+bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct rl_visible *visible,
+                      rl_vec3 direction)
+{
+    const struct rl_camera *camera = &visible->scene->camera;
+    struct RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    struct RTCRayHit query = {
+        .ray = {.org_x = (float)camera->position.x,
+                .org_y = (float)camera->position.y,
+                .org_z = (float)camera->position.z,
+                .dir_x = (float)direction.x,
+                .dir_y = (float)direction.y,
+                .dir_z = (float)direction.z,
+                /* The planes of the GPU's camera lie at distances along `forward`. */
+                .tnear = (float)(camera->near_plane / v3_dot(direction, camera->forward)),
+                .tfar = INFINITY,
+                .mask = ~0u},
+        .hit = {.geomID = RTC_INVALID_GEOMETRY_ID},
+    };
+    rtcIntersect1(visible->world, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return false;
+    const struct rl_mesh *mesh = &visible->scene->object[query.hit.geomID].mesh;
+    const uint32_t *corner = mesh->triangle[query.hit.primID];
+    surface->P = interpolate(mesh->position, corner, query.hit.u, query.hit.v);
+    surface->N = v3_normalize(interpolate(mesh->normal, corner, query.hit.u, query.hit.v));
+    surface->V = v3_normalize(v3_sub(camera->position, surface->P));
+    *object = query.hit.geomID;
+    return true;
+}

@@ -1,0 +1,25 @@
+/* What the camera sees at a pixel's centre, found by Embree on the scene's meshes with the GPU's rules: back faces are culled, the
+ * nearest front face wins, normals are interpolated.
+ */
+#ifndef RL_REFERENCE_VISIBLE_H
+#define RL_REFERENCE_VISIBLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+#include "effects/effect.h"
+#include "scene/scene.h"
+
+struct rl_visible;
+
+/* `scene` must outlive it. */
+int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, struct rl_error *error);
+void rl_visible_free(struct rl_visible *visible);
+
+/* The surface point on the ray from the camera in this direction (unit) and the object it lies on; false: background. May be
+ * called by several threads at once. */
+bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct rl_visible *visible,
+                      rl_vec3 direction);
+
+#endif

@@ -1,0 +1,142 @@
+#!/bin/sh
+# Bad input, each a row: exit code 2 and one clear line on stderr, nothing on stdout, no file left behind.
+set -u
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+rl=$ROUGHLIGHT
+scene=studies/scenes/sphere-quad.yaml
+n=0
+
+# bad NAME PATTERN ARGUMENTS...: the message must match the extended regular expression PATTERN
+bad() {
+    name=$1 pattern=$2
+    shift 2
+    n=$((n + 1))
+    "$rl" "$@" >"$tmp/stdout" 2>"$tmp/stderr"
+    code=$?
+    why=
+    [ $code -eq 2 ] || why="exit code $code, expected 2"
+    [ "$(wc -l <"$tmp/stderr")" -eq 1 ] || why="$why; $(wc -l <"$tmp/stderr") lines on stderr, expected 1"
+    grep -Eq -- "$pattern" "$tmp/stderr" || why="$why; no /$pattern/"
+    [ -s "$tmp/stdout" ] && why="$why; something on stdout"
+    if [ -z "$why" ]; then
+        echo "ok - $name"
+    else
+        echo "not ok - $name ($why): $(cat "$tmp/stderr")"
+    fi
+}
+
+# A good scene with one line replaced: edit NAME 's/sed/expression/' -> $tmp/NAME.yaml
+edit() {
+    sed -E "$2" "$tmp/good.yaml" >"$tmp/$1.yaml"
+}
+
+cat >"$tmp/good.yaml" <<'YAML'
+film: {width: 32, height: 24}
+camera: {position: [0, 0, 5], target: [0, 0, 0], field-of-view: 40}
+materials:
+  - name: shiny
+    rr: 30
+    highlight: random
+objects:
+  - shape: sphere
+    material: shiny
+    tessellation: 4
+lights:
+  - name: quad
+    polygon: [[-1, 3, -1], [1, 3, -1], [1, 3, 1], [-1, 3, 1]]
+    radiance: [1, 1, 1]
+YAML
+"$rl" render "$tmp/good.yaml" -o "$tmp/good.exr" 2>"$tmp/stderr" && echo "ok - the good scene renders" ||
+    echo "not ok - the good scene renders: $(cat "$tmp/stderr")"
+n=$((n + 1))
+
+bad "no command" "command is missing"
+bad "unknown command" "unknown command 'rendr'" rendr
+bad "unknown option" "unknown option '--sample'; did you mean '--samples'" render $scene -o "$tmp/x.exr" --sample 3
+bad "option without its argument" "--samples: an argument is missing" render $scene --samples
+bad "missing scene file" "nowhere.yaml: .*No such file" render nowhere.yaml -o "$tmp/x.exr"
+bad "scene is a directory" "studies" render studies -o "$tmp/x.exr"
+bad "no output" "--output is missing" render $scene
+bad "output of an unknown kind" "expected a file name ending in .exr or .png" render $scene -o "$tmp/x.jpg"
+bad "output in a missing folder" "/no/such/x.exr: cannot write" render $scene -o "$tmp/no/such/x.exr"
+bad "output is a directory" "is a directory" render $scene -o "$tmp/"
+mkdir "$tmp/dir.exr"
+bad "output names a directory" "is a directory" render $scene -o "$tmp/dir.exr"
+for samples in 0 100000 -1 4.5 four ''; do
+    bad "samples '$samples'" "--samples: found '$samples', expected a whole number from 1 to 1024" \
+        render $scene -o "$tmp/x.exr" --samples "$samples"
+done
+for rr in -1 nan 0 inf 1e13 x; do
+    bad "option rr $rr" "--rr: found '$rr', expected" render $scene -o "$tmp/x.exr" --rr "$rr"
+done
+bad "unknown method" "--method: found 'magic', expected one of plain, regular, random" render $scene -o "$tmp/x.exr" --method magic
+bad "size" "--size: found '0x5'" render $scene -o "$tmp/x.exr" --size 0x5
+bad "size with a tail" "--size: found '5x5x'" render $scene -o "$tmp/x.exr" --size 5x5x
+bad "normal bits" "--normal-bits: found '3'" render $scene -o "$tmp/x.exr" --normal-bits 3
+bad "environment format" "--env-format: found 'rgb'" render $scene -o "$tmp/x.exr" --env-format rgb
+bad "margin" "--margin: found '-1'" render $scene -o "$tmp/x.exr" --margin -1
+bad "backend" "'vulkan'" render $scene -o "$tmp/x.exr" --backend vulkan
+bad "seed" "--seed: found '-3'" render $scene -o "$tmp/x.exr" --seed -3
+
+edit wrong-key 's/rr: 30/roughness: 30/'
+bad "wrong key in a scene" "wrong-key.yaml:5: .*roughness" render "$tmp/wrong-key.yaml" -o "$tmp/x.exr"
+for rr in -1 .nan nan 0 .inf 1e400; do
+    edit rr "s/rr: 30/rr: $rr/"
+    bad "scene with rr $rr" "rr.yaml:5: .*rr.*expected" render "$tmp/rr.yaml" -o "$tmp/x.exr"
+done
+edit two 's/polygon: .*/polygon: [[0, 3, 0], [1, 3, 0]]/'
+bad "light with 2 vertices" "two.yaml:13: .*2 vertices.*3" render "$tmp/two.yaml" -o "$tmp/x.exr"
+edit bent 's/\[1, 3, 1\]/[1, 4, 1]/'
+bad "non-planar light" "bent.yaml:13: .*plan" render "$tmp/bent.yaml" -o "$tmp/x.exr"
+edit flat 's/polygon: .*/polygon: [[0, 3, 0], [1, 3, 0], [2, 3, 0]]/'
+bad "light without area" "flat.yaml:13: .*area" render "$tmp/flat.yaml" -o "$tmp/x.exr"
+edit bow 's/polygon: .*/polygon: [[0, 3, 0], [1, 3, 1], [1, 3, 0], [0, 3, 1]]/'
+bad "light that crosses itself" "bow.yaml:13: " render "$tmp/bow.yaml" -o "$tmp/x.exr"
+edit method 's/highlight: random/highlight: magic/'
+bad "unknown method in a scene" "method.yaml:6: .*magic.*expected.*random" render "$tmp/method.yaml" -o "$tmp/x.exr"
+edit material 's/material: shiny/material: dull/'
+bad "unknown material" "material.yaml:9: .*dull" render "$tmp/material.yaml" -o "$tmp/x.exr"
+edit shape 's/shape: sphere/shape: cube/'
+bad "unknown shape" "shape.yaml:8: .*cube" render "$tmp/shape.yaml" -o "$tmp/x.exr"
+edit number 's/width: 32/width: wide/'
+bad "text for a number" "number.yaml:1: .*width" render "$tmp/number.yaml" -o "$tmp/x.exr"
+: >"$tmp/empty.yaml"
+bad "empty scene" "empty.yaml" render "$tmp/empty.yaml" -o "$tmp/x.exr"
+head -c 3000 /dev/urandom >"$tmp/junk.yaml"
+bad "junk scene" "junk.yaml" render "$tmp/junk.yaml" -o "$tmp/x.exr"
+
+# Meshes
+edit mesh 's/shape: sphere/shape: mesh\n    file: m.ply/; /tessellation/d'
+mesh_header='ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n'
+bad "missing mesh" "m.ply" render "$tmp/mesh.yaml" -o "$tmp/x.exr"
+# shellcheck disable=SC2059
+printf "$mesh_header" 0 0 >"$tmp/m.ply"
+bad "empty mesh" "m.ply" render "$tmp/mesh.yaml" -o "$tmp/x.exr"
+# shellcheck disable=SC2059
+{ printf "$mesh_header" 3 2 && printf '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'; } >"$tmp/m.ply"
+bad "truncated PLY" "m.ply" render "$tmp/mesh.yaml" -o "$tmp/x.exr"
+
+# compare
+"$rl" render "$tmp/good.yaml" -o "$tmp/small.exr" --size 16x12 2>"$tmp/stderr" || cat "$tmp/stderr"
+bad "images of different size" "32.?x.?24.*16.?x.?12" compare "$tmp/good.exr" "$tmp/small.exr"
+bad "missing image" "none.exr" compare "$tmp/good.exr" "$tmp/none.exr"
+head -c 100 "$tmp/good.exr" >"$tmp/cut.exr"
+bad "truncated image" "cut.exr" compare "$tmp/good.exr" "$tmp/cut.exr"
+bad "not an image" "junk.yaml" compare "$tmp/good.exr" "$tmp/junk.yaml"
+bad "one image" "argument is missing" compare "$tmp/good.exr"
+
+# integrate
+light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
+bad "integrate without a light" "--light is missing" integrate --view 0,0,1 --rr 3
+bad "integrate: light with 2 vertices" "--light 1: .*2 vertices" integrate --view 0,0,1 --rr 3 --light '0,0,1 1,0,1'
+bad "integrate: vertex" "--light 1: vertex 2 .*expected three" integrate --view 0,0,1 --rr 3 --light '0,0,1 1,0 1,1,1'
+bad "integrate: zero normal" "--normal: found the zero vector" integrate --view 0,0,1 --normal 0,0,0 --rr 3 --light "$light"
+bad "integrate: rr" "--rr: found 'nan'" integrate --view 0,0,1 --rr nan --light "$light"
+bad "integrate without a view" "--view is missing" integrate --rr 3 --light "$light"
+bad "integrate: method" "--method: found 'guess'" integrate --view 0,0,1 --rr 3 --light "$light" --method guess
+
+n=$((n + 1))
+left=$(find "$tmp" -name '*x.*' ! -name '*.yaml' | head -3)
+[ -z "$left" ] && echo "ok - no output file is left behind" || echo "not ok - left behind: $left"
+echo "1..$n"

@@ -1,0 +1,84 @@
+#!/bin/sh
+# The subcommands as a script sees them: help, rows, exit codes, what is loaded, what an interruption leaves.
+set -u
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+rl=$ROUGHLIGHT
+scene=studies/scenes/sphere-quad.yaml
+n=0
+
+# check NAME COMMAND...: passes if the command does
+check() {
+    name=$1
+    shift
+    n=$((n + 1))
+    if "$@" >"$tmp/out" 2>&1; then
+        echo "ok - $name"
+    else
+        echo "not ok - $name: $(head -c 400 "$tmp/out" | tr '\n' ' ')"
+    fi
+}
+
+# exits CODE COMMAND...
+exits() {
+    want=$1
+    shift
+    "$@"
+    code=$?
+    [ $code -eq "$want" ] || { echo "exit code $code, expected $want"; return 1; }
+}
+
+help_teaches() {
+    "$rl" "$1" --help >"$tmp/help" && grep -q "^usage: roughlight $1" "$tmp/help" && grep -q '^options:' "$tmp/help" &&
+        grep -q "  roughlight $1 " "$tmp/help"
+}
+
+check "help lists the commands" sh -c "'$rl' --help | grep -q integrate"
+check "version" sh -c "'$rl' --version | grep -Eq '^roughlight [0-9]+\.[0-9]+\.[0-9]+ '"
+for command in info plan render integrate compare study; do
+    check "$command --help has usage, options and an example" help_teaches $command
+done
+
+# Rows
+light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
+integrate() { "$rl" integrate --view 0.3,0,1 --rr 30 --light "$light" "$@"; }
+one_row() { integrate | awk -F'\t' 'NR == 1 { ok = $0 == "value\terror\tevaluations\tseconds" }
+    NR == 2 { ok = ok && NF == 4 && $1 > 0.5 && $1 < 1 && $2 < 1e-9 } END { exit !(ok && NR == 2) }'; }
+check "integrate prints a header and a row" one_row
+check "integrate prints JSON" sh -c "'$rl' integrate --view 0,0,1 --rr 3 --light '$light' --format json | tr -d '\n ' |
+    grep -Eq '^\[\{\"value\":[0-9.e-]+,\"error\":[0-9.e-]+,\"evaluations\":[0-9]+,\"seconds\":[0-9.e-]+\}\]$'"
+same_value() { [ "$(integrate | cut -f1 | tail -1)" = "$(integrate --format=tsv --normal 0,0,7 | cut -f1 | tail -1)" ]; }
+check "vectors need not be unit length" same_value
+check "info names every backend" sh -c "'$rl' info | cut -f1 | grep -c '^backend ' | grep -q 3"
+check "a full standard output is an error" sh -c "'$rl' info >/dev/full; [ \$? -eq 2 ]"
+check "plan prints passes" sh -c "'$rl' plan $scene | grep -q highlight"
+check "plan prints JSON" sh -c "'$rl' plan $scene --format json | head -c 1 | grep -q '\['"
+
+# Render and compare
+check "random 4" "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/a.exr"
+check "the same again, by the environment's backend" env ROUGHLIGHT_BACKEND=osmesa "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/b.exr"
+check "reference" "$rl" render $scene --size 64x48 --method reference -o "$tmp/r.exr"
+check "PNG" "$rl" render $scene --size 64x48 -o "$tmp/a.png"
+check "equal images compare as equal" sh -c "'$rl' compare '$tmp/a.exr' '$tmp/b.exr' | tail -1 | cut -f1 | grep -qx 0"
+check "random 4 against the reference is finite" sh -c "'$rl' compare '$tmp/a.exr' '$tmp/r.exr' |
+    awk -F'\t' 'NR == 2 { ok = \$1 > 0 && \$1 < 1 && \$7 == 0 && \$8 > 100 } END { exit !ok }'"
+check "a limit that is kept" exits 0 "$rl" compare "$tmp/a.exr" "$tmp/r.exr" --max-rmse 1
+check "a limit that is not" exits 1 "$rl" compare "$tmp/a.exr" "$tmp/r.exr" --max-rmse 1e-9
+
+# Start-up: what takes long to load is loaded when first used only.
+loads_no() { ! ldd "$rl" | grep -Ei "$1"; }
+check "OpenImageIO is not linked" loads_no openimageio
+check "no OpenGL library is linked" loads_no 'OSMesa|libEGL|libGL'
+
+# Interruption: nothing half-written, code 130.
+interrupted() {
+    "$rl" render studies/scenes/teapot-star.yaml --method reference --size 2000x1500 --tolerance 1e-9 -o "$tmp/long.exr" 2>"$tmp/err" &
+    pid=$!
+    sleep 1
+    kill -INT $pid
+    wait $pid
+    code=$?
+    [ $code -eq 130 ] && [ -z "$(ls "$tmp" | grep long)" ]
+}
+check "an interrupted render leaves nothing" interrupted
+echo "1..$n"
