@@ -67,7 +67,9 @@ const struct rl_command rl_command_info = {
     .name = "info",
     .arguments = "[--format tsv|json]",
     .summary = "versions, CPU, libraries, and each GPU backend or why it was rejected",
-    .description = "Prints name and value, a row each. A backend that cannot be used says why.",
+    .description = "Prints name and value, a row each. A backend that cannot be used says why.\n\n"
+                   "  roughlight info\n"
+                   "  roughlight info --format json",
     .options = (const struct rl_option *const[]){rl_options_format, NULL},
     .run = run,
 };

@@ -60,7 +60,7 @@ bad "scene is a directory" "studies" render studies -o "$tmp/x.exr"
 bad "no output" "--output is missing" render $scene
 bad "output of an unknown kind" "expected a file name ending in .exr or .png" render $scene -o "$tmp/x.jpg"
 bad "output in a missing folder" "/no/such/x.exr: cannot write" render $scene -o "$tmp/no/such/x.exr"
-bad "output is a directory" "is a directory" render $scene -o "$tmp/"
+bad "output is a folder" "expected a file name ending" render $scene -o "$tmp/"
 mkdir "$tmp/dir.exr"
 bad "output names a directory" "is a directory" render $scene -o "$tmp/dir.exr"
 for samples in 0 100000 -1 4.5 four ''; do
