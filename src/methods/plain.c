@@ -11,7 +11,7 @@
 
 static void pack(const struct rl_ellipsoid *e, double params[][4])
 {
-    /* cos 2 delta = 1 - 2/k^2; below k^2 = 3 the lobe is as wide as n = 1 and stays there. */
+    /* cos 2 delta = 1 - 2/k^2; from k^2 = 4 down n would be below 1, a lobe that ends at a hard edge: it stays 1. */
     double kk = e->rr > 1.0 ? e->k * e->k : 0.0;
     double n = kk > 2.0 ? log(0.5) / log1p(-2.0 / kk) : 1.0;
     params[0][0] = fmax(1.0, n);
@@ -28,7 +28,8 @@ static void shade(const struct rl_surface *s, const struct rl_point_light *light
         double r_l = v3_dot(mirror, L);
         if (!(v3_dot(s->N, L) > 0.0) || !(r_l > 0.0))
             continue;
-        double lobe = pow(r_l, params[0][0]);
+        /* Rounded a little above 1, a cosine to the power of a narrow lobe's n is infinite. */
+        double lobe = pow(fmin(r_l, 1.0), params[0][0]);
         for (int c = 0; c < 3; c++)
             rgb[c] += lobe * lights[i].radiance[c];
     }
