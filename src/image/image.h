@@ -25,7 +25,7 @@
 enum {
     RL_IMAGE_CHANNELS_MAX = 16,
     RL_IMAGE_ATTRIBUTES_MAX = 64,
-    RL_IMAGE_VALUES_MAX = 1 << 28 /* width x height x channels: 8192 x 8192 pixels of R, G, B, A, 1 GiB */
+    RL_IMAGE_VALUES_MAX = 1 << 30 /* width x height x channels: 16384 x 16384 pixels of R, G, B, A, 4 GiB */
 };
 
 struct rl_attribute {

@@ -68,7 +68,7 @@ static void test_allocate_refuses_sizes(void **state)
         {INT_MAX, 1, 16},
         {INT_MAX, INT_MAX, 16},
         {65536, 65536, 1},
-        {8192, 8193, 4},
+        {16384, 16385, 4},
         {INT_MIN, INT_MIN, 1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
