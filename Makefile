@@ -70,19 +70,23 @@ TESTS := $(sort $(TEST_PROGRAMS) $(call select,$(TEST_SCRIPTS)))
 WARNINGS := -Wall -Wextra -Wpedantic $(if $(WERROR),-Werror)
 C_WARNINGS := -Wstrict-prototypes -Wmissing-prototypes
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
-SHIM_SANITIZER := $(if $(SANITIZE),-fno-sanitize=vptr)
+SHIM_SANITIZER := $(if $(SANITIZE),-fno-sanitize=vptr$(if $(findstring clang,$(CXX)),$(comma)function))
 COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 # Recursive: LIB_CFLAGS and the like come from packages.mk, below.
 C_FLAGS = -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CPPFLAGS) \
 	-fopenmp $(COMMON) $(C_WARNINGS) $(CFLAGS)
-# No vptr check: clang's run-time library for it comes with a main program of C++ only, and ours is C.
+# No check of vptr, nor of clang's function: the run-time library for them comes with a main program of C++ only, and
+# ours is C.
 CXX_FLAGS = -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(SHIM_SANITIZER) $(CXXFLAGS)
 # --as-needed: a program loads the libraries it calls and no others, which is most of its start-up time. OpenImageIO,
 # OSMesa and EGL are not linked at all but loaded when first used.
+# clang's address sanitizer must find __cxa_throw when a program starts, else it ends the program when a library that was
+# loaded later throws, as OpenImageIO does over a damaged file.
+CLANG_SANITIZER := $(if $(and $(SANITIZE),$(findstring clang,$(CC))),-Wl$(comma)--no-as-needed -lstdc++)
 C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) $(if $(EXTRA),-Wl$(comma)--export-dynamic-symbol=dlclose) \
-	-Wl,--as-needed $(LDFLAGS)
+	$(CLANG_SANITIZER) -Wl,--as-needed $(LDFLAGS)
 LIBS = $(LIB_LIBS) -lembree3 -lm -lpthread -ldl
 
 # ---- Set-up and generated files -------------------------------------------------------------------------------
