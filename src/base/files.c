@@ -34,34 +34,41 @@ static int read_all(int fd, char *data, size_t size, const char *path, struct rl
     return RL_OK;
 }
 
+static int check_regular(int fd, size_t *size, const char *path, struct rl_error *error)
+{
+    struct stat info;
+    if (fstat(fd, &info) != 0)
+        return fail_errno(error, "inspect", path);
+    if (!S_ISREG(info.st_mode))
+        return rl_fail(error, RL_ERR_INPUT, "%s: not a regular file", path);
+    if (info.st_size > MAX_FILE_BYTES)
+        return rl_fail(error, RL_ERR_INPUT, "%s: %lld bytes, at most 1 GiB is read", path,
+                       (long long)info.st_size);
+    *size = (size_t)info.st_size;
+    return RL_OK;
+}
+
 int rl_file_read(char **data, size_t *size, const char *path, struct rl_error *error)
 {
     /* Without O_NONBLOCK a named pipe would be waited for. */
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0)
         return rl_fail(error, RL_ERR_INPUT, "%s: cannot open: %s", path, strerror(errno));
-    struct stat info;
-    int status = RL_OK;
+    size_t bytes = 0;
     char *buffer = NULL;
-    if (fstat(fd, &info) != 0)
-        status = fail_errno(error, "inspect", path);
-    else if (!S_ISREG(info.st_mode))
-        status = rl_fail(error, RL_ERR_INPUT, "%s: not a regular file", path);
-    else if (info.st_size > MAX_FILE_BYTES)
-        status = rl_fail(error, RL_ERR_INPUT, "%s: %lld bytes, at most 1 GiB is read", path,
-                         (long long)info.st_size);
-    else if (!(buffer = malloc((size_t)info.st_size + 1)))
-        status = rl_fail_memory(error, path);
-    else
-        status = read_all(fd, buffer, (size_t)info.st_size, path, error);
+    int status = check_regular(fd, &bytes, path, error);
+    if (status == RL_OK) {
+        buffer = malloc(bytes + 1);
+        status = buffer ? read_all(fd, buffer, bytes, path, error) : rl_fail_memory(error, path);
+    }
     close(fd);
-    if (status != RL_OK) {
+    if (!buffer || status != RL_OK) {
         free(buffer);
         return status;
     }
-    buffer[info.st_size] = '\0';
+    buffer[bytes] = '\0';
     *data = buffer;
-    *size = (size_t)info.st_size;
+    *size = bytes;
     return RL_OK;
 }
 

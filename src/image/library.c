@@ -39,17 +39,15 @@ static void load(void)
 int rl_oiio_load(const struct rl_oiio **oiio, struct rl_error *error)
 {
     pthread_once(&once, load);
-    if (!loaded)
-        return rl_fail(error, reason.status, "%s", reason.message);
     *oiio = loaded;
-    return RL_OK;
+    return loaded ? RL_OK : rl_fail(error, RL_ERR_UNAVAILABLE, "%s", reason.message);
 }
 
 int rl_image_library(char version[64], struct rl_error *error)
 {
     const struct rl_oiio *oiio = NULL;
     int status = rl_oiio_load(&oiio, error);
-    if (status == RL_OK)
+    if (oiio)
         oiio->version(version);
     return status;
 }

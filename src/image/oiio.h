@@ -18,10 +18,10 @@
 /* A picture as its file's header describes it. Files may hold pixels for a part of the picture only, or for
  * more than it. */
 struct rl_oiio_header {
-    int width, height; /* of the picture */
-    int x, y, stored_width,
-        stored_height; /* where in the picture the stored pixels begin, and how many there are */
-    int channels;      /* may be more than RL_IMAGE_CHANNELS_MAX; only so many have names here */
+    int width, height;               /* of the picture */
+    long long x, y;                  /* where in the picture the stored pixels begin */
+    int stored_width, stored_height; /* and how many there are */
+    int channels; /* may be more than RL_IMAGE_CHANNELS_MAX; only so many have names here */
     char channel_name[RL_IMAGE_CHANNELS_MAX][32];
     int has_depth;          /* a volume, or a deep image: not one value per pixel and channel */
     int integers;           /* stored as integers, of which the largest reads as 1 */

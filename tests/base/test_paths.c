@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "base/paths.h"
 #include "support/check.h"
+#include "support/run.h"
 #include "support/temporary.h"
 
 static struct rl_error error;
@@ -80,16 +81,10 @@ static void test_installation(void **state)
     put(&prefix, "lib/roughlight/plugin.so", "", 0);
 
     char program[PATH_MAX];
-    char command[2 * PATH_MAX];
     char output[3 * PATH_MAX];
     temporary_path(&prefix, program, "bin/program");
     assert_int_equal(chmod(program, 0755), 0);
-    snprintf(command, sizeof command, "'%s' --find", program);
-    FILE *pipe = popen(command, "r");
-    assert_non_null(pipe);
-    size_t length = fread(output, 1, sizeof output - 1, pipe);
-    output[length] = '\0';
-    assert_int_equal(pclose(pipe), 0);
+    assert_int_equal(run(output, sizeof output, program, "--find"), 0);
     char expected[3 * PATH_MAX];
     snprintf(expected, sizeof expected, "%s/share/roughlight/data.txt\n%s/lib/roughlight/plugin.so\n",
              prefix.folder, prefix.folder);

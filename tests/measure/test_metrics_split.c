@@ -66,7 +66,7 @@ static void test_agrees_with_metrics(void **state)
         make(&image[k], SIDE, SIDE, 4, reference.data);
         for (int i = 0; i < SIDE * SIDE * 4; i++)
             if (i % 4 != 3)
-                image[k].data[i] = (float)(0.1 + noise(seed, (uint64_t)(k * SIDE * SIDE * 4 + i)));
+                image[k].data[i] = (float)(0.1 + noise(seed, (uint64_t)k << 32 | (uint64_t)i));
         images[k] = &image[k];
         struct rl_metrics m;
         check_ok(rl_metrics_compute(&m, &image[k], &reference, &error), &error);

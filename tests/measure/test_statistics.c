@@ -35,7 +35,7 @@ static void test_median_ranks(void **state)
     };
     for (size_t c = 0; c < sizeof cases / sizeof cases[0]; c++) {
         size_t n = cases[c].n;
-        double samples[1000];
+        double samples[1000] = {0};
         double before[1000];
         /* 1 to n, out of order: 7 has no factor in common with any n above but 7. */
         for (size_t i = 0; i < n; i++)
@@ -171,7 +171,7 @@ static void test_intervals_hold(void **state)
         double x[N];
         double y[N];
         for (int i = 0; i < N; i++) {
-            samples[i] = 10.0 + noise(seed, (uint64_t)(t * N + i));
+            samples[i] = 10.0 + noise(seed, (uint64_t)t * N + (uint64_t)i);
             x[i] = i + 1.0;
             y[i] = pow(x[i], -0.5) * exp(0.1 * (samples[i] - 10.0));
         }

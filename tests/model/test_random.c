@@ -42,7 +42,9 @@ enum { CELLS = 32, DRAWS = 1 << 18 };
 
 static void add_pair(int counts[], double a, double b)
 {
-    counts[(int)(a * CELLS) * CELLS + (int)(b * CELLS)]++;
+    size_t row = (size_t)(a * CELLS);
+    size_t column = (size_t)(b * CELLS);
+    counts[row * CELLS + column]++;
 }
 
 static void test_uniform_and_independent(void **state)
@@ -88,7 +90,7 @@ static void test_seeds_do_not_overlap(void **state)
     for (uint64_t s = 0; s < SEEDS; s++)
         for (uint64_t i = 0; i < EACH; i++)
             drawn[s * EACH + i] = rl_random_bits(s, i);
-    qsort(drawn, SEEDS * EACH, sizeof drawn[0], compare);
+    qsort(drawn, sizeof drawn / sizeof drawn[0], sizeof drawn[0], compare);
     for (int i = 1; i < SEEDS * EACH; i++)
         assert_true(drawn[i] != drawn[i - 1]);
 }
