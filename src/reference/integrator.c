@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference/lines.h"
+#include "reference/breaks.h"
 #include "reference/quadrature.h"
 
 /* Enough for the lights of nearly every scene; more is allocated. */
@@ -57,8 +57,8 @@ static void integrate_theta(struct rl_estimate *estimate, const struct rl_lines 
                             const struct rl_integrate_options *options)
 {
     struct rl_panel *panels = memory;
-    struct rl_break *breaks = (struct rl_break *)(panels + 3 * lines->n_edges + 1);
-    size_t n = panels_between(panels, breaks, merge_breaks(breaks, rl_lines_breaks(breaks, lines)));
+    struct rl_break *breaks = (struct rl_break *)(panels + rl_breaks_most(lines->set) + 1);
+    size_t n = panels_between(panels, breaks, merge_breaks(breaks, rl_breaks_find(breaks, lines)));
     const struct rl_quadrature_options quadrature = {
         .tolerance = RL_PI * options->tolerance * lines->set->brightest,
         .max_evaluations = options->max_evaluations,
@@ -82,7 +82,7 @@ void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *s
     if (!(v3_dot(surface->N, surface->V) > 0.0) || set->n_polygons == 0 || !(set->brightest > 0.0))
         return;
 
-    size_t lines_size = rl_lines_size(set), n_breaks = 6 * set->n_vertices + 1;
+    size_t lines_size = rl_lines_size(set), n_breaks = rl_breaks_most(set) + 1;
     size_t size = lines_size + n_breaks * (sizeof(struct rl_panel) + sizeof(struct rl_break));
     alignas(16) char at_first[MEMORY_AT_FIRST];
     char *owned = size > sizeof at_first ? malloc(size) : NULL;

@@ -1,4 +1,4 @@
-/* Sees the lights from a point: frame, horizon, edges, and where lines break (see lines.h). */
+/* Sees the lights from a point: frame, horizon, edges (see lines.h). */
 #include "reference/lines.h"
 
 #include "model/frame.h"
@@ -9,18 +9,18 @@ static size_t aligned(size_t bytes)
 }
 
 /* Cutting at the horizon at most doubles a polygon's vertices; an edge has at most two crossings, and a line two ends. */
-static size_t most_edges(const struct rl_light_set *set)
+size_t rl_lines_edges_most(const struct rl_light_set *set)
 {
     return 2 * set->n_vertices;
 }
 static size_t most_crossings(const struct rl_light_set *set)
 {
-    return 2 * most_edges(set) + 2;
+    return 2 * rl_lines_edges_most(set) + 2;
 }
 
 size_t rl_lines_size(const struct rl_light_set *set)
 {
-    return aligned(most_edges(set) * sizeof(struct rl_edge)) +
+    return aligned(rl_lines_edges_most(set) * sizeof(struct rl_edge)) +
            aligned(most_crossings(set) * sizeof(struct rl_crossing)) +
            aligned(set->n_polygons * sizeof(struct rl_seen_polygon)) +
            aligned(set->n_polygons * sizeof(struct rl_seen_polygon *));
@@ -30,7 +30,7 @@ static void lay_out(struct rl_lines *lines, char *memory)
 {
     const struct rl_light_set *set = lines->set;
     lines->edge = (struct rl_edge *)memory;
-    memory += aligned(most_edges(set) * sizeof(struct rl_edge));
+    memory += aligned(rl_lines_edges_most(set) * sizeof(struct rl_edge));
     lines->crossing = (struct rl_crossing *)memory;
     memory += aligned(most_crossings(set) * sizeof(struct rl_crossing));
     lines->polygon = (struct rl_seen_polygon *)memory;
@@ -171,52 +171,4 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
     lay_out(lines, memory);
     for (size_t i = 0; i < set->n_polygons; i++)
         see_polygon(lines, &frame, surface->P, &set->polygon[i]);
-}
-
-/* The azimuth in [0, pi) of the undirected line along (x, y). */
-static double line_azimuth(double x, double y)
-{
-    double theta = atan2(y, x);
-    if (theta < 0.0)
-        theta += RL_PI;
-    return theta < RL_PI ? theta : 0.0;
-}
-
-/* Whether the circle of the line along (x, y), known to touch the edge's great circle, touches it between the edge's ends. */
-static bool touches(const struct rl_lines *lines, const struct rl_edge *edge, double x, double y)
-{
-    double from = -y * edge->from_x + x * edge->from_y, to = -y * edge->to_x + x * edge->to_y;
-    double v_b = -y * lines->v_x + x * lines->v_y;
-    /* Between the ends b.p has a maximum r or a minimum -r; it is -v_b that it must equal. */
-    return (from > 0.0 && to < 0.0 && v_b <= 0.0) || (from < 0.0 && to > 0.0 && v_b >= 0.0);
-}
-
-/* d^2 = 0: c^2 (1 - m_y^2 - v_y^2) + 2 s c (m_x m_y + v_x v_y) + s^2 (1 - m_x^2 - v_x^2) = 0 for t = (c, s). */
-static size_t touch_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
-{
-    double a = 1.0 - edge->m.y * edge->m.y - lines->v_y * lines->v_y;
-    double half = edge->m.x * edge->m.y + lines->v_x * lines->v_y;
-    double b = 1.0 - edge->m.x * edge->m.x - lines->v_x * lines->v_x;
-    double discriminant = half * half - a * b;
-    if (!(discriminant >= 0.0))
-        return 0;
-    double w = -(half + copysign(sqrt(discriminant), half));
-    const double x[2] = {w, b}, y[2] = {a, w};
-    size_t n = 0;
-    for (int i = 0; i < 2; i++)
-        if ((x[i] != 0.0 || y[i] != 0.0) && touches(lines, edge, x[i], y[i]))
-            breaks[n++] = (struct rl_break){.theta = line_azimuth(x[i], y[i]), .touch = true};
-    return n;
-}
-
-size_t rl_lines_breaks(struct rl_break *breaks, const struct rl_lines *lines)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < lines->n_edges; i++) {
-        const struct rl_edge *edge = &lines->edge[i];
-        if (edge->q_x != 0.0 || edge->q_y != 0.0)
-            breaks[n++] = (struct rl_break){.theta = line_azimuth(edge->q_x, edge->q_y)};
-        n += touch_breaks(breaks + n, lines, edge);
-    }
-    return n;
 }

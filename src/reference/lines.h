@@ -64,6 +64,9 @@ struct rl_lines {
     struct rl_seen_polygon **active; /* scratch of a line */
 };
 
+/* Most edges that a view of this set may have. */
+size_t rl_lines_edges_most(const struct rl_light_set *set);
+
 /* Bytes of memory that rl_lines_make wants for this set, aligned as malloc aligns. */
 size_t rl_lines_size(const struct rl_light_set *set);
 
@@ -71,14 +74,6 @@ size_t rl_lines_size(const struct rl_light_set *set);
 void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface *surface,
                    const struct rl_ellipsoid *e, const struct rl_light_set *set,
                    const struct rl_integrate_options *options);
-
-/* Where the integral along lines breaks as theta runs over [0, pi). */
-struct rl_break {
-    double theta;
-    bool touch; /* the circle touches an edge: a square root on one side */
-};
-/* Fills at most 3 * n_edges breaks, in no order, and returns how many. */
-size_t rl_lines_breaks(struct rl_break *breaks, const struct rl_lines *lines);
 
 /* value[0..2]: integral over delta of D G L_e, RGB; value[3]: what rounding may have done to it. Returns whether the line meets any
  * light. Uses the scratch inside `lines`. */

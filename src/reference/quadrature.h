@@ -8,8 +8,8 @@
  *
  *     x = a + w u^2;   x = b - w (1 - u)^2;   x = a + w u^2 (3 - 2u) for both ends
  *
- * Error of a piece: QUADPACK's (Piessens et al. 1983), (200 |K - G| / A)^1.5 A with A the integral of |f - mean|, at most
- * |K - G| itself where that is more: the difference of the two rules is the lower rule's error, so the bound is generous.
+ * Error of a piece: QUADPACK's form (Piessens et al. 1983), (1000 |K - G| / A)^1.5 A, between |K - G|/10 and A, with A the integral of
+ * |f - mean|: |K - G| is the lower rule's error, and the higher one's goes down faster.
  *
  *     struct rl_panel panel = {.a = 0.0, .b = 1.0};
  *     rl_quadrature(&result, f, user, &panel, 1, &(struct rl_quadrature_options){.tolerance = 1e-8});

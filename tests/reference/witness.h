@@ -45,12 +45,12 @@ static inline double witness_integrand(double v, void *user)
     rl_vec3 H = v3_normalize(v3_add(L, w->s.V));
     double n_h = v3_dot(w->s.N, H), v_h = v3_dot(w->s.V, H);
     double sine = v3_length(v3_cross(w->s.N, H));
-    if (n_h <= 0.0 || v_h <= 0.0 || sine == 0.0)
+    if (v_h == 0.0 || sine == 0.0)
         return 0.0;
     double g = w->attenuation ? rl_attenuation(n_h, v3_dot(w->s.N, w->s.V), v3_dot(w->s.N, L), v_h) : 1.0;
     double solid_angle = fabs(v3_dot(w->normal, L)) / (r * r);
-    return rl_ellipsoid_pdf_sincos(&w->e, sine, n_h) * g / (4.0 * v_h * sine) * solid_angle * w->twice_area *
-           w->u;
+    return rl_ellipsoid_pdf_sincos(&w->e, sine, fabs(n_h)) * g / (4.0 * fabs(v_h) * sine) * solid_angle *
+           w->twice_area * w->u;
 }
 
 static inline double witness_at_u(double u, void *user)
@@ -59,7 +59,7 @@ static inline double witness_at_u(double u, void *user)
     w->u = u;
     gsl_function f = {.function = witness_integrand, .params = w};
     double value = 0.0, error = 0.0;
-    gsl_integration_qag(&f, 0.0, 1.0, 0.1 * w->tolerance, 1e-13, WITNESS_PIECES, GSL_INTEG_GAUSS21, w->inner,
+    gsl_integration_qag(&f, 0.0, 1.0, 0.1 * w->tolerance, 1e-13, WITNESS_PIECES, GSL_INTEG_GAUSS61, w->inner,
                         &value, &error);
     return value;
 }
@@ -95,7 +95,7 @@ static inline double witness_area(const struct rl_surface *s, double rr, const r
         w.twice_area = v3_dot(w.normal, v3_cross(w.along_a, w.along_b));
         double value = 0.0, error = 0.0;
         if (fabs(w.twice_area) > 1e-14 * radius * radius)
-            gsl_integration_qag(&f, 0.0, 1.0, tolerance, 1e-13, WITNESS_PIECES, GSL_INTEG_GAUSS21, w.outer,
+            gsl_integration_qag(&f, 0.0, 1.0, tolerance, 1e-13, WITNESS_PIECES, GSL_INTEG_GAUSS61, w.outer,
                                 &value, &error);
         sum += value;
     }
