@@ -78,6 +78,10 @@ static const cyaml_schema_field_t light_fields[] = {
     CYAML_FIELD_END,
 };
 
+/* As on the command line, or as YAML has it. */
+static const cyaml_strval_t switches[] = {
+    {"on", RL_RAW_ON}, {"off", RL_RAW_OFF}, {"true", RL_RAW_ON}, {"false", RL_RAW_OFF}};
+
 static const cyaml_schema_field_t render_fields[] = {
     CYAML_FIELD_INT_PTR("samples", OPTIONAL, struct rl_raw_render, samples),
     CYAML_FIELD_STRING_PTR("normal-bits", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_render, normal_bits, 1,
@@ -88,7 +92,8 @@ static const cyaml_schema_field_t render_fields[] = {
                            TEXT_MAX),
     CYAML_FIELD_STRING_PTR("margin", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_render, margin, 1,
                            TEXT_MAX),
-    CYAML_FIELD_BOOL_PTR("attenuation", OPTIONAL, struct rl_raw_render, attenuation),
+    CYAML_FIELD_ENUM_PTR("attenuation", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_render, attenuation,
+                         switches, sizeof switches / sizeof switches[0]),
     CYAML_FIELD_STRING_PTR("frame", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_render, frame, 1, TEXT_MAX),
     CYAML_FIELD_UINT_PTR("seed", OPTIONAL, struct rl_raw_render, seed),
     CYAML_FIELD_FLOAT_PTR("tolerance", OPTIONAL, struct rl_raw_render, tolerance),

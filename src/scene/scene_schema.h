@@ -3,7 +3,6 @@
 #ifndef RL_SCENE_SCENE_SCHEMA_H
 #define RL_SCENE_SCENE_SCHEMA_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "base/error.h"
@@ -53,6 +52,8 @@ struct rl_raw_light {
     double radiance[3];
 };
 
+enum rl_raw_switch { RL_RAW_OFF, RL_RAW_ON };
+
 struct rl_raw_render {
     int *samples;
     char *normal_bits;
@@ -60,7 +61,7 @@ struct rl_raw_render {
     int *env_size;
     char *env_format;
     char *margin;
-    bool *attenuation;
+    enum rl_raw_switch *attenuation;
     char *frame;
     uint64_t *seed;
     double *tolerance;

@@ -1,6 +1,6 @@
 /* Checks a YAML tree against a libcyaml schema (see yaml_tree.h).
  *
- * Of libcyaml's types it knows those that scenes use: integers, doubles, booleans, enumerations, strings, mappings and
+ * Of libcyaml's types it knows those that scenes use: integers, doubles, enumerations, strings, mappings and
  * sequences. */
 #include <errno.h>
 #include <math.h>
@@ -50,9 +50,6 @@ static void expect(char words[], size_t size, const cyaml_schema_value_t *schema
         break;
     case CYAML_FLOAT:
         snprintf(words, size, "a finite number");
-        break;
-    case CYAML_BOOL:
-        snprintf(words, size, "true or false");
         break;
     case CYAML_ENUM:
         for (size_t i = 0; i < schema->enumeration.count; i++) {
@@ -130,8 +127,6 @@ static bool is_scalar_of(const char *text, const cyaml_schema_value_t *schema)
         return is_integer(text, false, schema->data_size);
     case CYAML_FLOAT:
         return is_number(text);
-    case CYAML_BOOL:
-        return strcmp(text, "true") == 0 || strcmp(text, "false") == 0;
     case CYAML_ENUM:
         return is_enumerated(text, schema);
     default:

@@ -1,0 +1,171 @@
+/* Built-in shapes: closed where they should be, facing outwards, with the exact normals of the surface. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "scene/shapes.h"
+#include "support/check.h"
+
+static struct rl_error error;
+
+static rl_vec3 load(const float v[3])
+{
+    return v3(v[0], v[1], v[2]);
+}
+
+static int compare_edges(const void *a, const void *b)
+{
+    const uint64_t *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+/* Every edge occurs once in each direction: no hole, no flap, one orientation. */
+static bool is_closed(const struct rl_mesh *mesh)
+{
+    size_t n = 3 * mesh->n_triangles;
+    uint64_t *there = malloc(n * sizeof *there), *back = malloc(n * sizeof *back);
+    assert_non_null(there);
+    assert_non_null(back);
+    for (size_t i = 0; i < n; i++) {
+        uint64_t a = mesh->triangle[i / 3][i % 3], b = mesh->triangle[i / 3][(i + 1) % 3];
+        there[i] = a << 32 | b;
+        back[i] = b << 32 | a;
+    }
+    qsort(there, n, sizeof *there, compare_edges);
+    qsort(back, n, sizeof *back, compare_edges);
+    bool closed = true;
+    for (size_t i = 0; i < n; i++)
+        closed = closed && there[i] == back[i] && (i == 0 || there[i] != there[i - 1]);
+    free(there);
+    free(back);
+    return closed;
+}
+
+struct measures {
+    double area, volume;
+    double least_facing; /* of any vertex normal with its triangle's: their cosine */
+};
+
+static struct measures measure(const struct rl_mesh *mesh)
+{
+    struct measures m = {.least_facing = 1.0};
+    for (size_t t = 0; t < mesh->n_triangles; t++) {
+        rl_vec3 p[3];
+        for (int i = 0; i < 3; i++) {
+            assert_true(mesh->triangle[t][i] < mesh->n_vertices);
+            p[i] = load(mesh->position[mesh->triangle[t][i]]);
+        }
+        rl_vec3 cross = v3_cross(v3_sub(p[1], p[0]), v3_sub(p[2], p[0]));
+        m.area += 0.5 * v3_length(cross);
+        m.volume += v3_dot(p[0], v3_cross(p[1], p[2])) / 6.0;
+        for (int i = 0; i < 3; i++)
+            m.least_facing =
+                fmin(m.least_facing, v3_dot(v3_normalize(cross), load(mesh->normal[mesh->triangle[t][i]])));
+    }
+    return m;
+}
+
+/* Areas and volumes of the smooth shapes; tessellation n comes within a few times (pi/4n)^2 of them, from below. */
+static void test_sizes(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rl_shape shape;
+        double minor, area, volume;
+        bool closed;
+    } cases[] = {
+        {RL_SHAPE_SPHERE, 0.0, 4.0 * RL_PI, 4.0 / 3.0 * RL_PI, true},
+        {RL_SHAPE_TORUS, 0.4, 4.0 * RL_PI * RL_PI * 0.4, 2.0 * RL_PI * RL_PI * 0.16, true},
+        {RL_SHAPE_PLANE, 0.0, 4.0, 0.0, false},
+        {RL_SHAPE_DISC, 0.0, RL_PI, 0.0, false},
+    };
+    static const int levels[] = {1, 2, 7, 40};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        for (size_t j = 0; j < sizeof levels / sizeof levels[0]; j++) {
+            struct rl_mesh mesh;
+            check_ok(rl_shape_build(&mesh, cases[i].shape, levels[j], cases[i].minor, &error), &error);
+            struct measures m = measure(&mesh);
+            double step = RL_PI / (4.0 * levels[j]);
+            assert_true(m.area <= cases[i].area * (1.0 + 1e-6));
+            assert_true(m.area >= cases[i].area * (1.0 - step * step));
+            check_near(m.volume, cases[i].volume, 1e-6 + cases[i].volume * 2.0 * step * step);
+            assert_int_equal(is_closed(&mesh), cases[i].closed);
+            assert_true(m.least_facing > 0.5);
+            rl_mesh_clear(&mesh);
+        }
+}
+
+static void test_normals(void **state)
+{
+    (void)state;
+    struct rl_mesh mesh;
+    check_ok(rl_shape_build(&mesh, RL_SHAPE_SPHERE, 9, 0.0, &error), &error);
+    for (size_t i = 0; i < mesh.n_vertices; i++)
+        check_near(v3_length(v3_sub(load(mesh.position[i]), load(mesh.normal[i]))), 0.0, 1e-7);
+    rl_mesh_clear(&mesh);
+
+    /* A torus's normal points from the nearest point of its ring. */
+    check_ok(rl_shape_build(&mesh, RL_SHAPE_TORUS, 9, 0.3, &error), &error);
+    for (size_t i = 0; i < mesh.n_vertices; i++) {
+        rl_vec3 p = load(mesh.position[i]);
+        rl_vec3 ring = v3_scale(1.0 / hypot(p.x, p.z), v3(p.x, 0.0, p.z));
+        check_near(v3_length(v3_sub(v3_scale(1.0 / 0.3, v3_sub(p, ring)), load(mesh.normal[i]))), 0.0, 1e-6);
+    }
+    rl_mesh_clear(&mesh);
+}
+
+static void test_bounds(void **state)
+{
+    (void)state;
+    struct rl_mesh mesh;
+    rl_vec3 low, high, centre;
+    double radius;
+    check_ok(rl_shape_build(&mesh, RL_SHAPE_TEAPOT, 32, 0.0, &error), &error);
+    rl_mesh_bounds(&mesh, &low, &high, &centre, &radius);
+    /* What shapes.h says of it. */
+    check_near(low.y, 0.0, 1e-7);
+    check_near(high.y, 0.85, 0.005);
+    check_near(high.z - low.z, 1.14, 0.01);
+    check_near(high.x - low.x, 1.83, 0.01);
+    assert_true(high.x > -low.x); /* the spout reaches farther than the handle */
+    for (size_t i = 0; i < mesh.n_vertices; i++)
+        assert_true(v3_length(v3_sub(load(mesh.position[i]), centre)) <= radius);
+    rl_mesh_clear(&mesh);
+
+    struct rl_mesh empty = {0};
+    rl_mesh_bounds(&empty, &low, &high, &centre, &radius);
+    check_near(radius, 0.0, 0.0);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    struct rl_mesh mesh;
+    check_fails(rl_shape_build(&mesh, RL_SHAPE_SPHERE, 0, 0.0, &error), &error, RL_ERR_INPUT,
+                "found 0, expected 1 to 512");
+    check_fails(rl_shape_build(&mesh, RL_SHAPE_SPHERE, 513, 0.0, &error), &error, RL_ERR_INPUT, "found 513");
+    check_fails(rl_shape_build(&mesh, RL_SHAPE_TORUS, 4, 0.0, &error), &error, RL_ERR_INPUT,
+                "minor: found 0");
+    check_fails(rl_shape_build(&mesh, RL_SHAPE_TORUS, 4, 1.0, &error), &error, RL_ERR_INPUT,
+                "minor: found 1");
+    check_fails(rl_shape_build(&mesh, RL_SHAPE_TORUS, 4, NAN, &error), &error, RL_ERR_INPUT, "minor");
+    check_fails(rl_shape_build(&mesh, RL_SHAPE_MESH, 4, 0.5, &error), &error, RL_ERR_INPUT, "not a built-in");
+    assert_null(mesh.position);
+    assert_null(rl_shape_name((enum rl_shape)99));
+    assert_string_equal(rl_shape_name(RL_SHAPE_TEAPOT), "teapot");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
