@@ -189,7 +189,9 @@ int rl_polygon_make(struct rl_polygon *polygon, const rl_vec3 *vertex, int n, st
     polygon->area = 0.5 * v3_length(sum);
     if (!(polygon->area > TOUCH_TOLERANCE * f.size * f.size)) {
         *polygon = (struct rl_polygon){0};
-        return rl_fail(error, RL_ERR_INPUT, "found a polygon of zero area, expected an area above 0");
+        return rl_fail(
+            error, RL_ERR_INPUT,
+            "found a polygon of zero area (in line, or crossing itself), expected an area above 0");
     }
     flatten(&f, vertex, n, polygon->normal);
     int status = check_flat(vertex, n, polygon->normal, f.size, error);

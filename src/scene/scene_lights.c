@@ -136,9 +136,11 @@ static int build_light(const struct rl_scene_builder *b, size_t i)
     light->name = strdup(raw->name ? raw->name : key);
     if (!light->name)
         return rl_fail_memory(b->error, key);
-    if (!raw->polygon == !raw->mesh)
+    rl_yaml_key(path, key, "polygon");
+    bool polygon = rl_yaml_find(b->tree, path) != NULL; /* libcyaml gives NULL for an empty list, too */
+    if (polygon == (raw->mesh != NULL))
         return rl_yaml_fail(b->tree, b->error, key, "found %s, expected one of them",
-                            raw->mesh ? "polygon and mesh" : "neither polygon nor mesh");
+                            polygon ? "polygon and mesh" : "neither polygon nor mesh");
     rl_yaml_key(path, key, "radiance");
     struct rl_placement placement;
     int status = rl_build_triple(b, path, raw->radiance, 0.0, RL_COLOUR_MAX);

@@ -112,7 +112,8 @@ int rl_settings_check(const struct rl_settings *settings, struct rl_error *error
     const char *key;
     if (rl_settings_check_key(settings, &key, error) == RL_OK)
         return RL_OK;
-    return rl_fail_prefix(error, "--%s", key);
+    rl_fail_prefix(error, "--%s", key);
+    return RL_ERR_INPUT;
 }
 
 /* `what` is NULL where the caller names the place itself. */
@@ -130,9 +131,7 @@ int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const 
             *format = (enum rl_texel_format)i;
             return RL_OK;
         }
-    return rl_fail(error, RL_ERR_INPUT,
-                   "%s: found '%.40s', expected rgba8, rgb10a2, r11g11b10f, rgba16, rgba16f or rgba32f", what,
-                   text);
+    return fail_parse(error, what, text, "rgba8, rgb10a2, r11g11b10f, rgba16, rgba16f or rgba32f");
 }
 
 int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct rl_error *error)

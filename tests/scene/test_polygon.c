@@ -147,13 +147,14 @@ static void test_refused(void **state)
         {"expected finite", 3, {{0, 0, 0}, {1, 0, INFINITY}, {0, 1, 0}}},
         {"zero area", 3, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}},
         {"zero area", 3, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}},
+        {"crossing itself", 4, {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}},
         {"zero area", 4, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}}},
         {"off the polygon's plane by 0.204, expected a planar",
          4,
          {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}}},
         {"edges 0 and 2", 4, {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 3, 0}}},
         {"vertex 1 at the same place as vertex 0", 4, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-        {"edges at vertex 2 on top of each other", 4, {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, 0, 0}}},
+        {"edges at vertex 1 on top of each other", 4, {{0, 0, 0}, {3, 0, 0}, {2, 0, 0}, {0, 1, 0}}},
         {"meeting", 5, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0, 0}, {0, 2, 0}}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -1,0 +1,385 @@
+/* Sound scene files: what is read, what is left out, where things are placed, camera, lights and hash. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/fixture.h"
+
+static struct temporary folder;
+static struct rl_error error;
+static char path[PATH_MAX];
+
+static int set_up(void **state)
+{
+    (void)state;
+    temporary_make(&folder);
+    temporary_path(&folder, path, "scene.yaml");
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    temporary_remove(&folder);
+    return 0;
+}
+
+static void load_with(struct rl_scene *scene, int first, int last, const char *text)
+{
+    write_scene(path, first, last, text);
+    check_ok(rl_scene_load(scene, path, &error), &error);
+}
+
+static void check_vec3(rl_vec3 actual, double x, double y, double z, double tolerance)
+{
+    check_near(actual.x, x, tolerance);
+    check_near(actual.y, y, tolerance);
+    check_near(actual.z, z, tolerance);
+}
+
+static void test_as_written(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 0, -1, NULL);
+    assert_string_equal(s.path, path);
+    assert_int_equal(s.width, 64);
+    assert_int_equal(s.height, 48);
+    assert_int_equal(s.n_materials, 2);
+    assert_string_equal(s.material[0].name, "shiny");
+    check_near(s.material[0].rr, 30.0, 0.0);
+    check_near(s.material[0].diffuse[2], 0.3, 0.0);
+    check_near(s.material[0].ambient[1], 0.0, 0.0);
+    check_near(s.material[0].specular[1], 1.0, 0.0);
+    assert_string_equal(s.material[0].method, "random");
+    assert_null(s.material[1].method);
+    assert_int_equal(s.n_objects, 2);
+    assert_string_equal(s.object[1].name, "ground");
+    assert_int_equal(s.object[0].material, 0);
+    assert_int_equal(s.object[1].material, 1);
+    assert_int_equal(s.object[0].mesh.n_triangles, 2 * (2 * 4 - 1) * 16);
+    check_vec3(s.object[1].centre, 0.0, -1.0, 0.0, 0.0);
+    check_near(s.object[1].radius, sqrt(2.0), 1e-7);
+    assert_int_equal(s.n_lights, 2);
+    check_near(s.light[0].radiance[2], 3.0, 0.0);
+    assert_int_equal(s.settings.samples, 16);
+    assert_int_equal(s.settings.margin_kind, RL_MARGIN_OFF);
+    assert_int_equal(s.settings.normal_bits, 8);
+    rl_scene_clear(&s);
+    assert_null(s.path);
+}
+
+static void test_defaults(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 1, 1, "");
+    assert_int_equal(s.width, 640);
+    assert_int_equal(s.height, 480);
+    rl_scene_clear(&s);
+    load_with(&s, 23, 35, "");
+    assert_int_equal(s.n_lights, 0);
+    assert_int_equal(s.settings.samples, 0);
+    assert_true(s.settings.attenuation);
+    rl_scene_clear(&s);
+    load_with(&s, 23, 32, "lights: []");
+    assert_int_equal(s.n_lights, 0);
+    rl_scene_clear(&s);
+    load_with(&s, 11, 11, ""); /* rr without highlight: the paper's method */
+    assert_string_equal(s.material[0].method, "random");
+    rl_scene_clear(&s);
+    load_with(&s, 11, 11, "    highlight: none");
+    assert_null(s.material[0].method);
+    rl_scene_clear(&s);
+    load_with(&s, 15, 15, "  - shape: disc\n    material: matt\n  - name: ball");
+    assert_string_equal(s.object[0].name, "objects[0]");
+    assert_string_equal(s.object[1].name, "ball");
+    rl_scene_clear(&s);
+}
+
+static void test_render_block(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(
+        &s, 34, 35,
+        "  samples: 1024\n  normal-bits: float\n  normal-size: 64\n  env-size: 8\n  env-format: rgba32f\n"
+        "  margin: 0.5\n  attenuation: off\n  frame: printed\n  seed: 18446744073709551615\n  tolerance: "
+        "1e-9");
+    assert_int_equal(s.settings.samples, 1024);
+    assert_int_equal(s.settings.normal_bits, RL_NORMAL_BITS_FLOAT);
+    assert_int_equal(s.settings.normal_size, 64);
+    assert_int_equal(s.settings.env_size, 8);
+    assert_int_equal(s.settings.env_format, RL_TEXEL_RGBA32F);
+    assert_int_equal(s.settings.margin_kind, RL_MARGIN_VALUE);
+    check_near(s.settings.margin, 0.5, 0.0);
+    assert_false(s.settings.attenuation);
+    assert_int_equal(s.settings.frame, RL_FRAME_PRINTED);
+    assert_true(s.settings.seed == UINT64_MAX);
+    check_near(s.settings.tolerance, 1e-9, 0.0);
+    rl_scene_clear(&s);
+    load_with(&s, 35, 35, "  attenuation: true\n  margin: auto\n  normal-bits: 12");
+    assert_true(s.settings.attenuation);
+    assert_int_equal(s.settings.margin_kind, RL_MARGIN_AUTO);
+    assert_int_equal(s.settings.normal_bits, 12);
+    rl_scene_clear(&s);
+}
+
+/* Scale and stretch first, then x, y and z, then the way: by hand for the vertex (1, 0, 0) of a triangle. */
+static void test_placement(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double x, y, z;
+    } cases[] = {
+        {"    translate: [1, 2, 3]", 2, 2, 3},
+        {"    scale: 2\n    stretch: [3, 1, 1]\n    translate: [1, 2, 3]", 7, 2, 3},
+        {"    rotate: [0, 0, 90]", 0, 1, 0},
+        {"    rotate: [0, 90, 0]", 0, 0, -1},
+        {"    rotate: [0, 90, 90]", 0, 0, -1}, /* y takes x to -z, which z leaves alone */
+        {"    rotate: [90, 0, 90]", 0, 1, 0},  /* x leaves x alone, z takes it to y */
+        {"    stretch: [2, 5, 7]\n    rotate: [0, 0, 90]\n    translate: [0, 0, 1]", 0, 2, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "    polygon: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n%s", cases[i].text);
+        struct rl_scene s;
+        load_with(&s, 25, 25, text);
+        check_vec3(s.light[0].polygon[0].vertex[0], cases[i].x, cases[i].y, cases[i].z, 1e-12);
+        rl_scene_clear(&s);
+    }
+}
+
+/* A stretched sphere is an ellipsoid, and its normals are known: (x/a^2, y/b^2, z/c^2). */
+static void test_stretched_normals(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 18, 18, "    stretch: [2, 1, 0.5]\n    scale: 10");
+    const struct rl_mesh *mesh = &s.object[0].mesh;
+    for (size_t i = 0; i < mesh->n_vertices; i++) {
+        const float *p = mesh->position[i], *n = mesh->normal[i];
+        rl_vec3 expected = v3_normalize(v3(p[0] / 4.0, p[1], p[2] / 0.25));
+        check_vec3(v3(n[0], n[1], n[2]), expected.x, expected.y, expected.z, 1e-6);
+    }
+    check_near(s.object[0].radius, 20.0, 1e-5);
+    rl_scene_clear(&s);
+}
+
+static void test_lights(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 0, -1, NULL);
+    const struct rl_light *quad = &s.light[0];
+    assert_int_equal(quad->n_polygons, 1);
+    check_near(quad->area, 4.0, 1e-12);
+    check_vec3(quad->centroid, 0.0, 3.0, 2.0, 1e-12);
+    check_near(quad->radius, sqrt(2.0), 0.01 * sqrt(2.0));
+    for (size_t i = 0; i < s.n_lights; i++)
+        for (int k = 0; k < s.light[i].polygon[0].n; k++)
+            assert_true(v3_length(v3_sub(s.light[i].polygon[0].vertex[k], s.light[i].centre)) <=
+                        s.light[i].radius);
+    /* The right triangle's smallest sphere sits on its longest edge. */
+    check_near(s.light[1].radius, sqrt(0.5), 0.01);
+    check_vec3(s.light[1].centroid, 3.0, 1.0 / 3.0, 1.0 / 3.0, 1e-12);
+    struct rl_point_light point = rl_light_as_point(quad);
+    check_vec3(point.position, 0.0, 3.0, 2.0, 1e-12);
+    check_near(fabs(point.normal.y), 1.0, 1e-12);
+    check_near(point.radiance[1], 2.0, 0.0);
+    rl_scene_clear(&s);
+}
+
+static void write_text(const char *name, const char *text)
+{
+    char file[PATH_MAX];
+    temporary_path(&folder, file, name);
+    check_ok(rl_file_write(file, text, strlen(text), &error), &error);
+}
+
+static const char tetrahedron[] = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\n"
+                                  "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 1 2\n";
+
+/* As a light a tetrahedron of edge sqrt(8) has four triangles of area 2 sqrt(3); the fifth, without area, is dropped. */
+static void test_mesh_light(void **state)
+{
+    (void)state;
+    write_text("light.obj", tetrahedron);
+    struct rl_scene s;
+    load_with(&s, 25, 25, "    mesh: light.obj\n    translate: [0, 5, 0]");
+    assert_int_equal(s.light[0].n_polygons, 4);
+    check_relative(s.light[0].area, 0.25 * 4.0 * 2.0 * sqrt(3.0), 1e-6);
+    check_vec3(s.light[0].centroid, 0.0, 5.0, 0.0, 1e-6);
+    check_near(s.light[0].radius, sqrt(3.0), 0.02);
+    check_vec3(rl_light_as_point(&s.light[0]).normal, 0.0, 0.0, 0.0, 0.0);
+    rl_scene_clear(&s);
+}
+
+/* The hash follows the scene's bytes and the mesh's, and nothing else. */
+static void test_hash(void **state)
+{
+    (void)state;
+    write_text("light.obj", tetrahedron);
+    struct rl_scene a, b, c, d;
+    load_with(&a, 25, 25, "    mesh: light.obj");
+    load_with(&b, 25, 25, "    mesh: light.obj");
+    load_with(&c, 25, 25, "    mesh: light.obj # the same");
+    write_text("light.obj", "# a comment\nv 1 1 1\nv -1 -1 1\nv -1 1 -1\nf 1 2 3\n");
+    load_with(&d, 25, 25, "    mesh: light.obj");
+    assert_true(a.hash == b.hash);
+    assert_true(a.hash != c.hash);
+    assert_true(a.hash != d.hash);
+    rl_scene_clear(&a);
+    rl_scene_clear(&b);
+    rl_scene_clear(&c);
+    rl_scene_clear(&d);
+}
+
+/* clip = matrix (p, 1) */
+static void transform(const double m[16], rl_vec3 p, double clip[4])
+{
+    for (int r = 0; r < 4; r++)
+        clip[r] = m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r];
+}
+
+static void test_camera(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 0, -1, NULL);
+    const struct rl_camera *c = &s.camera;
+    check_near(v3_dot(c->right, c->up), 0.0, 1e-15);
+    check_near(v3_dot(v3_cross(c->right, c->up), c->forward), -1.0, 1e-15);
+    check_vec3(c->right, 1.0, 0.0, 0.0, 1e-15);
+    double m[16], clip[4];
+    rl_camera_matrix(c, s.width, s.height, m);
+    /* The ray through a pixel's centre meets the same pixel through the matrix; y = 0 is the top row. */
+    static const int pixels[][2] = {{0, 0}, {63, 47}, {10, 40}, {31, 23}};
+    for (size_t i = 0; i < 4; i++) {
+        rl_vec3 ray = rl_camera_ray(c, s.width, s.height, pixels[i][0], pixels[i][1]);
+        check_near(v3_length(ray), 1.0, 1e-15);
+        transform(m, v3_madd(c->position, 3.7, ray), clip);
+        check_near((clip[0] / clip[3] + 1.0) / 2.0 * s.width, pixels[i][0] + 0.5, 1e-9);
+        check_near((1.0 - clip[1] / clip[3]) / 2.0 * s.height, pixels[i][1] + 0.5, 1e-9);
+    }
+    transform(m, v3_madd(c->position, c->near_plane, c->forward), clip);
+    check_near(clip[2] / clip[3], -1.0, 1e-12);
+    transform(m, v3_madd(c->position, c->far_plane, c->forward), clip);
+    check_near(clip[2] / clip[3], 1.0, 1e-12);
+    /* The top edge of the film is half the field of view up. */
+    rl_vec3 top = v3_normalize(v3_madd(c->forward, tan(0.5 * c->fov_y), c->up));
+    transform(m, v3_add(c->position, top), clip);
+    check_near(clip[1] / clip[3], 1.0, 1e-12);
+    rl_scene_clear(&s);
+}
+
+static void check_planes(const struct rl_scene *s)
+{
+    const struct rl_camera *c = &s->camera;
+    assert_true(c->near_plane > 0.0 && c->near_plane >= 0.99e-3 * c->far_plane &&
+                c->far_plane > c->near_plane);
+    for (size_t i = 0; i < s->n_objects; i++)
+        for (size_t k = 0; k < s->object[i].mesh.n_vertices; k++) {
+            const float *p = s->object[i].mesh.position[k];
+            double depth = v3_dot(v3_sub(v3(p[0], p[1], p[2]), c->position), c->forward);
+            assert_true(depth < c->far_plane);
+            assert_true(depth > c->near_plane || c->near_plane <= 1.01e-3 * c->far_plane);
+        }
+}
+
+static void test_planes(void **state)
+{
+    (void)state;
+    static const char *const positions[] = {
+        "  position: [0, 1, 5]",
+        "  position: [0, 0.1, 0.2]", /* inside the ball */
+        "  position: [0, 1, -5000]",
+        "  position: [0, 0.5, 1.001]",
+    };
+    for (size_t i = 0; i < sizeof positions / sizeof positions[0]; i++) {
+        struct rl_scene s;
+        load_with(&s, 3, 3, positions[i]);
+        check_planes(&s);
+        rl_scene_clear(&s);
+    }
+    struct rl_scene s;
+    load_with(&s, 4, 4, "  target: [0, 1, 10]"); /* everything lies behind */
+    assert_true(s.camera.near_plane > 0.0 && s.camera.far_plane > s.camera.near_plane);
+    rl_scene_clear(&s);
+}
+
+/* The scenes that come with the program. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *path;
+        size_t objects, lights;
+    } cases[] = {
+        {"studies/scenes/teapot-star.yaml", 2, 1},
+        {"studies/scenes/sphere-quad.yaml", 1, 1},
+        {"studies/scenes/two-roughness.yaml", 3, 1},
+        {"studies/scenes/three-lights.yaml", 2, 3},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct rl_scene s;
+        check_ok(rl_scene_load(&s, cases[i].path, &error), &error);
+        assert_int_equal(s.n_objects, cases[i].objects);
+        assert_int_equal(s.n_lights, cases[i].lights);
+        assert_int_equal(s.width, 640);
+        assert_int_equal(s.height, 480);
+        check_planes(&s);
+        rl_scene_clear(&s);
+    }
+}
+
+/* The body's front mirrors every vertex of the star into the camera: some vertex of the body there, patches 4 to 11 of the teapot,
+ * sends the view ray to within 2 degrees of it. */
+static void test_star_is_in_view(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    check_ok(rl_scene_load(&s, "studies/scenes/teapot-star.yaml", &error), &error);
+    const struct rl_polygon *star = &s.light[0].polygon[0];
+    const struct rl_mesh *teapot = &s.object[0].mesh;
+    const size_t per_patch = teapot->n_vertices / 28;
+    assert_int_equal(star->n, 10);
+    check_near(s.material[0].rr, 30.0, 0.0);
+    for (int k = 0; k < star->n; k++) {
+        double closest = RL_PI;
+        for (size_t i = 4 * per_patch; i < 12 * per_patch; i++) {
+            const float *p = teapot->position[i], *n = teapot->normal[i];
+            rl_vec3 P = v3(p[0], p[1], p[2]), N = v3(n[0], n[1], n[2]);
+            rl_vec3 V = v3_normalize(v3_sub(s.camera.position, P));
+            if (!(v3_dot(N, V) > 0.0))
+                continue;
+            rl_vec3 L = v3_normalize(v3_sub(star->vertex[k], P));
+            closest = fmin(closest, acos(fmin(1.0, v3_dot(v3_reflect(V, N), L))));
+        }
+        assert_true(closest < 2.0 * RL_PI / 180.0);
+    }
+    rl_scene_clear(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_as_written),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_render_block),
+        cmocka_unit_test(test_placement),
+        cmocka_unit_test(test_stretched_normals),
+        cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_mesh_light),
+        cmocka_unit_test(test_hash),
+        cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_star_is_in_view),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
