@@ -6,6 +6,7 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <float.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,7 +187,16 @@ static void store(float to[3], rl_vec3 from)
     to[2] = (float)from.z;
 }
 
-static void add_vertices(struct rl_mesh *to, const struct aiMesh *from, const struct matrix *a)
+static int check_finite(size_t i, rl_vec3 p, struct rl_error *error)
+{
+    if (fabs(p.x) <= (double)FLT_MAX && fabs(p.y) <= (double)FLT_MAX && fabs(p.z) <= (double)FLT_MAX)
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "found vertex %zu at (%g, %g, %g), expected finite numbers", i, p.x,
+                   p.y, p.z);
+}
+
+static int add_vertices(struct rl_mesh *to, const struct aiMesh *from, const struct matrix *a,
+                        struct rl_error *error)
 {
     /* Normals go with the cofactors, which are the inverse transpose times the determinant. */
     rl_vec3 c0 = v3_cross(row(a, 1), row(a, 2)), c1 = v3_cross(row(a, 2), row(a, 0)),
@@ -194,22 +204,26 @@ static void add_vertices(struct rl_mesh *to, const struct aiMesh *from, const st
     double sign = v3_dot(row(a, 0), c0) < 0.0 ? -1.0 : 1.0;
     for (unsigned i = 0; i < from->mNumVertices; i++) {
         rl_vec3 p = v3(from->mVertices[i].x, from->mVertices[i].y, from->mVertices[i].z);
-        store(to->position[to->n_vertices + i],
-              v3(v3_dot(row(a, 0), p) + a->m[0][3], v3_dot(row(a, 1), p) + a->m[1][3],
-                 v3_dot(row(a, 2), p) + a->m[2][3]));
+        rl_vec3 placed = v3(v3_dot(row(a, 0), p) + a->m[0][3], v3_dot(row(a, 1), p) + a->m[1][3],
+                            v3_dot(row(a, 2), p) + a->m[2][3]);
+        if (check_finite(i, p, error) != RL_OK || check_finite(i, placed, error) != RL_OK)
+            return RL_ERR_INPUT;
+        store(to->position[to->n_vertices + i], placed);
         if (from->mNormals) {
             rl_vec3 n = v3(from->mNormals[i].x, from->mNormals[i].y, from->mNormals[i].z);
             n = v3_scale(sign, v3(v3_dot(c0, n), v3_dot(c1, n), v3_dot(c2, n)));
             store(to->normal[to->n_vertices + i], v3_normalize(n));
         }
     }
+    return RL_OK;
 }
 
 static int add_mesh(struct rl_mesh *to, const struct aiMesh *from, const struct matrix *a,
                     struct rl_error *error)
 {
     bool mirrored = v3_dot(row(a, 0), v3_cross(row(a, 1), row(a, 2))) < 0.0;
-    add_vertices(to, from, a);
+    if (add_vertices(to, from, a, error) != RL_OK)
+        return RL_ERR_INPUT;
     for (unsigned f = 0; f < from->mNumFaces; f++) {
         const struct aiFace *face = &from->mFaces[f];
         if (face->mNumIndices != 3)
@@ -238,17 +252,6 @@ static int add_node(struct rl_mesh *to, const struct aiScene *scene, const struc
     for (unsigned i = 0; i < node->mNumChildren && status == RL_OK; i++)
         status = add_node(to, scene, node->mChildren[i], &a, error);
     return status;
-}
-
-static int check_positions(const struct rl_mesh *mesh, struct rl_error *error)
-{
-    for (size_t i = 0; i < mesh->n_vertices; i++) {
-        const float *p = mesh->position[i];
-        if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]))
-            return rl_fail(error, RL_ERR_INPUT, "found vertex %zu at (%g, %g, %g), expected finite numbers",
-                           i, (double)p[0], (double)p[1], (double)p[2]);
-    }
-    return RL_OK;
 }
 
 static bool usable(const float n[3])
@@ -303,8 +306,6 @@ static int convert(struct rl_mesh *mesh, const struct aiScene *scene, struct rl_
         return status;
     mesh->n_vertices = mesh->n_triangles = 0; /* they count up again while the mesh is filled */
     status = add_node(mesh, scene, scene->mRootNode, &identity, error);
-    if (status == RL_OK)
-        status = check_positions(mesh, error);
     if (status == RL_OK)
         status = complete_normals(mesh, error);
     if (status != RL_OK)

@@ -93,6 +93,15 @@ void rl_place_mesh(const struct rl_placement *placement, struct rl_mesh *mesh)
     }
 }
 
+int rl_build_extent(const struct rl_scene_builder *b, const char *key, rl_vec3 centre, double radius)
+{
+    double reach = v3_length(centre) + radius;
+    if (reach <= RL_LENGTH_MAX)
+        return RL_OK;
+    return rl_yaml_fail(b->tree, b->error, key, "found it to reach %.3g from the origin, expected at most %g",
+                        reach, RL_LENGTH_MAX);
+}
+
 /* The folder of the scene file and `file`, unless that is absolute. */
 static int join_path(char joined[PATH_MAX], const char *scene_path, const char *file)
 {

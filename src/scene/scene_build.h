@@ -44,6 +44,8 @@ int rl_build_placement(struct rl_placement *placement, const struct rl_scene_bui
                        const struct rl_raw_placement *raw, const char *key);
 rl_vec3 rl_place_point(const struct rl_placement *placement, rl_vec3 p);
 void rl_place_mesh(const struct rl_placement *placement, struct rl_mesh *mesh);
+/* Whether what was placed lies within RL_LENGTH_MAX of the origin. */
+int rl_build_extent(const struct rl_scene_builder *b, const char *key, rl_vec3 centre, double radius);
 
 /* Loads the mesh that the scene file names at `key`, relative to its own folder, and takes it into the scene's hash. */
 int rl_build_mesh_file(const struct rl_scene_builder *b, struct rl_mesh *mesh, const char *file,

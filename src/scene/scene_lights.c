@@ -154,7 +154,7 @@ static int build_light(const struct rl_scene_builder *b, size_t i)
         return status;
     measure(light);
     enclose(light);
-    return RL_OK;
+    return rl_build_extent(b, key, light->centre, light->radius);
 }
 
 int rl_build_lights(const struct rl_scene_builder *b)

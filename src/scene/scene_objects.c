@@ -93,7 +93,7 @@ static int build_object(const struct rl_scene_builder *b, size_t i)
     rl_place_mesh(&placement, &object->mesh);
     rl_vec3 low, high;
     rl_mesh_bounds(&object->mesh, &low, &high, &object->centre, &object->radius);
-    return RL_OK;
+    return rl_build_extent(b, key, object->centre, object->radius);
 }
 
 int rl_build_objects(const struct rl_scene_builder *b)

@@ -197,6 +197,8 @@ static void test_objects(void **state)
          "objects[0].tessellation: found it with shape: mesh, expected only with sphere,"},
         {18, 18, "    scale: 0", 18, "objects[0].scale: found '0', expected 1e-06 to 1e+06"},
         {18, 18, "    scale: -1", 18, "objects[0].scale: found '-1', expected 1e-06 to 1e+06"},
+        {18, 18, "    scale: 1e6\n    stretch: [1e6, 1, 1]", 15,
+         "objects[0]: found it to reach 1e+12 from the origin"},
         {18, 18, "    stretch: [1, 0, 1]", 18, "objects[0].stretch[1]: found '0', expected 1e-06 to 1e+06"},
         {18, 18, "    rotate: [1, 2]", 18, "objects[0].rotate: found a list of 2, expected a list of 3"},
         {22, 22, "    translate: [0, 1e10, 0]", 22,
