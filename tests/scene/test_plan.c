@@ -1,0 +1,345 @@
+/* Plans: what is in them follows from what the scene asks for, and nothing else is. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/fixture.h"
+#include "scene/plan.h"
+
+static struct temporary folder;
+static struct rl_error error;
+static char path[PATH_MAX];
+static struct rl_scene scene;
+static struct rl_plan plan;
+
+static int set_up(void **state)
+{
+    (void)state;
+    temporary_make(&folder);
+    temporary_path(&folder, path, "scene.yaml");
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    temporary_remove(&folder);
+    return 0;
+}
+
+/* The sound scene with some lines replaced: `shiny` (random) on a ball, `matt` (no highlight) on the ground, two lights. */
+static void load(int first, int last, const char *text)
+{
+    write_scene(path, first, last, text);
+    check_ok(rl_scene_load(&scene, path, &error), &error);
+}
+
+static void make(const struct rl_settings *settings)
+{
+    check_ok(rl_plan_make(&plan, &scene, settings, &error), &error);
+}
+
+static void clear(void)
+{
+    rl_plan_clear(&plan);
+    rl_scene_clear(&scene);
+}
+
+static bool has_module(int program, const char *module)
+{
+    assert_in_range(program, 0, plan.n_programs - 1);
+    for (size_t i = 0; i < plan.program[program].n_modules; i++)
+        if (strcmp(plan.program[program].module[i], module) == 0)
+            return true;
+    return false;
+}
+
+static bool any_module(const char *module)
+{
+    for (size_t i = 0; i < plan.n_programs; i++)
+        if (has_module((int)i, module))
+            return true;
+    return false;
+}
+
+static void test_random(void **state)
+{
+    (void)state;
+    load(0, -1, NULL);
+    make(&scene.settings);
+    assert_int_equal(plan.settings.width, 64);
+    assert_int_equal(plan.settings.height, 48);
+    assert_false(plan.on_cpu);
+    assert_int_equal(plan.n_materials, 2);
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    const struct rl_plan_material *matt = rl_plan_of_object(&plan, &scene, 1);
+    assert_string_equal(shiny->method->name, "random");
+    assert_int_equal(shiny->samples, 16);
+    check_near(shiny->rr, 30.0, 0.0);
+    assert_int_equal(shiny->n_effects, 1);
+    assert_string_equal(shiny->effect[0]->name, "diffuse");
+    assert_int_equal(shiny->n_point_lights, 2);
+    assert_int_equal(shiny->sphere_program, -1); /* margin: off */
+    assert_int_equal(shiny->pattern, -1);
+    assert_int_equal(shiny->normal_map, 0);
+    assert_true(has_module(shiny->surface_program, "effects/diffuse"));
+    assert_false(has_module(shiny->surface_program, "effects/ambient"));
+    assert_true(has_module(shiny->highlight_program, "methods/random"));
+    assert_true(has_module(shiny->highlight_program, "common/normal_map"));
+    assert_true(has_module(shiny->highlight_program, "common/attenuation"));
+    assert_false(has_module(shiny->highlight_program, "common/pattern"));
+
+    assert_null(matt->method);
+    assert_int_equal(matt->highlight_program, -1);
+    assert_int_equal(matt->normal_map, -1);
+    assert_int_equal(matt->n_point_lights, 0);
+    assert_true(has_module(matt->surface_program, "effects/ambient"));
+    assert_false(has_module(matt->surface_program, "effects/diffuse"));
+
+    assert_int_equal(plan.n_environments, 1);
+    assert_int_equal(plan.environment[0], 0);
+    assert_int_equal(plan.environment[1], -1);
+    assert_string_equal(plan.program[plan.environment_program].pass, "environment");
+    assert_int_equal(plan.n_programs, 4); /* environment, two surfaces, one highlight */
+    check_near((double)plan.radiance_scale, 3.0, 0.0);
+    clear();
+}
+
+static void test_regular(void **state)
+{
+    (void)state;
+    load(34, 35, "  attenuation: off\n  frame: printed");
+    scene.settings.method = "regular";
+    make(&scene.settings);
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    assert_int_equal(shiny->samples, 13);
+    assert_int_equal(shiny->normal_map, -1);
+    assert_int_equal(shiny->pattern, 0);
+    assert_int_equal(plan.pattern[0].samples, 13);
+    assert_true(has_module(shiny->highlight_program, "methods/regular"));
+    assert_true(has_module(shiny->highlight_program, "common/pattern"));
+    assert_true(has_module(shiny->highlight_program, "common/attenuation_off"));
+    assert_true(has_module(shiny->highlight_program, "common/frame_printed"));
+    assert_false(any_module("common/normal_map"));
+    assert_false(any_module("common/frame"));
+    assert_false(any_module("common/attenuation"));
+    /* The override gives no highlight to what had none. */
+    assert_null(rl_plan_of_object(&plan, &scene, 1)->method);
+    clear();
+}
+
+/* `plain` takes no samples: it is part of the surface program, and there is neither environment nor texture. */
+static void test_plain(void **state)
+{
+    (void)state;
+    load(11, 11, "    highlight: plain");
+    scene.settings.margin_kind = RL_MARGIN_AUTO;
+    make(&scene.settings);
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    assert_int_equal(shiny->samples, 1);
+    assert_int_equal(shiny->highlight_program, -1);
+    assert_int_equal(shiny->sphere_program, -1);
+    assert_true(has_module(shiny->surface_program, "methods/plain"));
+    assert_int_equal(plan.n_environments, 0);
+    assert_int_equal(plan.environment_program, -1);
+    assert_int_equal(plan.n_normal_maps + plan.n_patterns, 0);
+    assert_false(any_module("common/environment"));
+    clear();
+}
+
+static void test_reference(void **state)
+{
+    (void)state;
+    load(11, 11, "    highlight: reference");
+    make(&scene.settings);
+    assert_true(plan.on_cpu);
+    assert_int_equal(plan.n_programs, 0);
+    assert_int_equal(plan.n_environments, 0);
+    assert_string_equal(rl_plan_of_object(&plan, &scene, 0)->method->name, "reference");
+    assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->n_effects, 1); /* base shading is still wanted */
+    rl_plan_clear(&plan);
+    scene.settings.method = "random";
+    make(&scene.settings);
+    assert_false(plan.on_cpu);
+    clear();
+}
+
+/* No light, no highlight and no diffuse reflection; no specular colour, no highlight. */
+static void test_left_out(void **state)
+{
+    (void)state;
+    load(23, 32, "");
+    make(&scene.settings);
+    assert_null(rl_plan_of_object(&plan, &scene, 0)->method);
+    assert_int_equal(rl_plan_of_object(&plan, &scene, 0)->n_effects, 0);
+    assert_int_equal(plan.n_environments, 0);
+    assert_int_equal(plan.n_programs, 2); /* black, and ambient */
+    check_near((double)plan.radiance_scale, 1.0, 0.0);
+    clear();
+
+    load(10, 10, "    specular: [0, 0, 0]");
+    make(&scene.settings);
+    assert_null(rl_plan_of_object(&plan, &scene, 0)->method);
+    assert_int_equal(plan.n_environments, 0);
+    clear();
+
+    load(21, 21, "    material: shiny"); /* nobody wears matt */
+    make(&scene.settings);
+    assert_int_equal(plan.n_materials, 1);
+    assert_int_equal(plan.n_environments, 2);
+    assert_int_equal(plan.n_programs, 3);
+    assert_false(any_module("effects/ambient"));
+    clear();
+}
+
+/* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these, too. */
+static void test_sharing(void **state)
+{
+    (void)state;
+    for (int alike = 0; alike < 2; alike++) {
+        load(13, 13, alike ? "    rr: 30\n    diffuse: [1, 1, 1]" : "    rr: 31\n    diffuse: [1, 1, 1]");
+        make(&scene.settings);
+        const struct rl_plan_material *a = rl_plan_of_object(&plan, &scene, 0),
+                                      *b = rl_plan_of_object(&plan, &scene, 1);
+        assert_int_equal(plan.n_programs, 3);
+        assert_int_equal(a->surface_program, b->surface_program);
+        assert_int_equal(a->highlight_program, b->highlight_program);
+        assert_int_equal(a->normal_map == b->normal_map, alike);
+        assert_int_equal(plan.n_normal_maps, alike ? 1 : 2);
+        assert_int_equal(plan.n_environments, 2); /* one an object: each is taken from its own place */
+        clear();
+    }
+    load(13, 13, "    rr: 31");
+    scene.settings.rr = 7.0;
+    scene.settings.method = "regular";
+    make(&scene.settings);
+    assert_int_equal(plan.n_patterns, 1);
+    check_near(plan.pattern[0].rr, 7.0, 0.0);
+    clear();
+}
+
+static void test_margin(void **state)
+{
+    (void)state;
+    load(35, 35, "  margin: 0.25");
+    make(&scene.settings);
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    assert_string_equal(plan.program[shiny->sphere_program].pass, "sphere");
+    check_near(shiny->margin, 0.25, 0.0);
+    assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->sphere_program, -1);
+    clear();
+}
+
+/* `auto`: from every point of the object, each direction within 2 delta(U = 0.99) of a direction to the light meets the sphere; and
+ * a rough material whose lobe is wider than that is worth has none. */
+static void test_auto_margin(void **state)
+{
+    (void)state;
+    static const double rr[] = {200.0, 1000.0, 1e5};
+    for (size_t k = 0; k < 3; k++) {
+        load(27, 35, "render:\n  margin: auto");
+        scene.settings.rr = rr[k];
+        make(&scene.settings);
+        const struct rl_plan_material *m = rl_plan_of_object(&plan, &scene, 0);
+        assert_true(m->sphere_program >= 0);
+        assert_true(m->margin >= 0.0);
+        struct rl_ellipsoid e = rl_ellipsoid_make(rr[k]);
+        double blur = 2.0 * rl_ellipsoid_inverse(&e, 0.99).delta;
+        const struct rl_light *light = &scene.light[0];
+        const struct rl_mesh *mesh = &scene.object[0].mesh;
+        for (size_t i = 0; i < mesh->n_vertices; i++) {
+            const float *p = mesh->position[i];
+            double d = v3_length(v3_sub(light->centre, v3(p[0], p[1], p[2])));
+            double sphere = (1.0 + m->margin) * light->radius;
+            assert_true(sphere >= d || asin(sphere / d) >= asin(light->radius / d) + blur - 1e-9);
+        }
+        clear();
+    }
+    load(35, 35, "  margin: auto");
+    scene.settings.rr = 3.0;
+    make(&scene.settings);
+    assert_int_equal(rl_plan_of_object(&plan, &scene, 0)->sphere_program, -1);
+    clear();
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    load(0, -1, NULL);
+    struct rl_settings s = scene.settings;
+    s.method = "magic";
+    check_fails(rl_plan_make(&plan, &scene, &s, &error), &error, RL_ERR_INPUT,
+                "--method: found 'magic', expected plain,");
+    s = scene.settings;
+    s.samples = 100000;
+    check_fails(rl_plan_make(&plan, &scene, &s, &error), &error, RL_ERR_INPUT, "--samples: found 100000");
+    assert_null(plan.material);
+    rl_scene_clear(&scene);
+    load(13, 13, "    rr: 5\n    highlight: reference");
+    check_fails(rl_plan_make(&plan, &scene, &scene.settings, &error), &error, RL_ERR_INPUT,
+                "reference runs on the CPU alone");
+    rl_scene_clear(&scene);
+}
+
+/* Two plans of one scene agree in every program and module. */
+static void test_deterministic(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {
+        "studies/scenes/teapot-star.yaml", "studies/scenes/three-lights.yaml",
+        "studies/scenes/two-roughness.yaml", "studies/scenes/sphere-quad.yaml"};
+    static const size_t normal_maps[] = {1, 1, 2, 1}, environments[] = {1, 2, 2, 1};
+    for (size_t k = 0; k < 4; k++) {
+        check_ok(rl_scene_load(&scene, scenes[k], &error), &error);
+        struct rl_plan other;
+        make(&scene.settings);
+        check_ok(rl_plan_make(&other, &scene, &scene.settings, &error), &error);
+        assert_int_equal(plan.n_normal_maps, normal_maps[k]);
+        assert_int_equal(plan.n_environments, environments[k]);
+        assert_int_equal(plan.n_programs, other.n_programs);
+        for (size_t i = 0; i < plan.n_programs; i++) {
+            assert_int_equal(plan.program[i].n_modules, other.program[i].n_modules);
+            for (size_t j = 0; j < plan.program[i].n_modules; j++)
+                assert_string_equal(plan.program[i].module[j], other.program[i].module[j]);
+        }
+        rl_plan_clear(&other);
+        clear();
+    }
+}
+
+/* Every module that a plan names is a file. */
+static void test_modules_exist(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"plain", "regular", "random"};
+    for (size_t k = 0; k < 6; k++) {
+        load(34, 35, k < 3 ? "  margin: 1" : "  margin: 1\n  attenuation: off\n  frame: printed");
+        scene.settings.method = methods[k % 3];
+        make(&scene.settings);
+        for (size_t i = 0; i < plan.n_programs; i++)
+            for (size_t j = 0; j < plan.program[i].n_modules; j++) {
+                char file[PATH_MAX];
+                snprintf(file, sizeof file, "shaders/%s.glsl", plan.program[i].module[j]);
+                if (access(file, R_OK) != 0)
+                    print_error("%s is missing\n", file);
+                assert_int_equal(access(file, R_OK), 0);
+            }
+        clear();
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random),        cmocka_unit_test(test_regular),
+        cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_left_out),      cmocka_unit_test(test_sharing),
+        cmocka_unit_test(test_margin),        cmocka_unit_test(test_auto_margin),
+        cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
+        cmocka_unit_test(test_modules_exist),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
