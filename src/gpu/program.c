@@ -19,8 +19,8 @@ static bool uses(const struct rl_plan_material *m, int index)
     return m->surface_program == index || m->highlight_program == index || m->sphere_program == index;
 }
 
-/* The first material that runs the program. Those that share it have the same modules and samples, which is all that the program
- * is made from. */
+/* Whose effects and method the program carries out. The plan gives a program to several materials only where its modules are the
+ * same for all, so that any of them will do. */
 static const struct rl_plan_material *find_material(const struct rl_plan *plan, int index)
 {
     for (size_t i = 0; i < plan->n_materials; i++)
@@ -30,13 +30,13 @@ static const struct rl_plan_material *find_material(const struct rl_plan *plan, 
 }
 
 /* Constants of the plan, so that loops have constant bounds. */
-static int write_defines(char **text, const struct rl_plan *plan, size_t index, size_t n_lights,
-                         struct rl_error *error)
+static int write_defines(char **text, const struct rl_plan *plan, const struct rl_plan_program *program,
+                         size_t n_lights, struct rl_error *error)
 {
     int n = asprintf(text,
                      "#define N_LIGHTS %zu\n#define SAMPLES %d\n"
                      "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
-                     n_lights, plan->program[index].samples, plan->settings.normal_size,
+                     n_lights, program->samples, plan->settings.normal_size,
                      rl_normal_map_step(plan->settings.normal_size));
     if (n < 0) {
         *text = NULL;
@@ -127,7 +127,10 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
     p->near_plane = gl->GetUniformLocation(p->id, "near_plane");
     const struct rl_plan_material *m = p->material;
     char name[128];
-    for (size_t i = 0; m && i < m->n_effects; i++) {
+    for (size_t i = 0; i < RL_PLAN_EFFECTS_MAX; i++) {
+        p->effect_params[i] = -1;
+        if (!m || i >= m->n_effects)
+            continue;
         snprintf(name, sizeof name, "%s_params", m->effect[i]->name);
         p->effect_params[i] = gl->GetUniformLocation(p->id, name);
     }
@@ -167,7 +170,7 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_
     char *glue = NULL;
     *p = (struct rl_gpu_program){0};
     p->material = find_material(plan, (int)index);
-    int status = write_defines(&defines, plan, index, n_lights, error);
+    int status = write_defines(&defines, plan, program, n_lights, error);
     if (status == RL_OK && p->material && p->material->surface_program == (int)index)
         status = write_glue(&glue, p->material, error);
     if (status == RL_OK)

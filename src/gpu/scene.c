@@ -176,6 +176,9 @@ int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struc
                       const struct rl_plan *plan, struct rl_error *error)
 {
     *out = NULL;
+    if (plan->on_cpu)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "the plan is for the CPU: some material's method does not run on the GPU");
     struct rl_gpu_scene *gs = calloc(1, sizeof *gs);
     if (!gs)
         return rl_fail_memory(error, "the scene on the GPU");
