@@ -132,12 +132,12 @@ int rl_normal_texels_make(struct rl_normal_texels *texels, const struct rl_plan_
 }
 
 /* No filter mixes normals or lights, and there are no smaller levels. */
-static void use_single_texels(const struct rl_gl *gl, GLenum target)
+static void use_single_texels(const struct rl_gl *gl, GLenum target, GLint wrap)
 {
     gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
 }
 
 int rl_normal_map_make(GLuint *texture, struct rl_gl *gl, const struct rl_plan_normal_map *map,
@@ -150,7 +150,7 @@ int rl_normal_map_make(GLuint *texture, struct rl_gl *gl, const struct rl_plan_n
         return status;
     gl->GenTextures(1, texture);
     gl->BindTexture(GL_TEXTURE_2D, *texture);
-    use_single_texels(gl, GL_TEXTURE_2D);
+    use_single_texels(gl, GL_TEXTURE_2D, GL_REPEAT);
     gl->TexStorage2D(GL_TEXTURE_2D, 1, texels.internal_format, size, size);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size, size, texels.format, texels.type, texels.data);
@@ -191,7 +191,7 @@ int rl_cube_make(GLuint *texture, struct rl_gl *gl, const struct rl_settings *se
                        settings->env_size, (int)largest);
     gl->GenTextures(1, texture);
     gl->BindTexture(GL_TEXTURE_CUBE_MAP, *texture);
-    use_single_texels(gl, GL_TEXTURE_CUBE_MAP);
+    use_single_texels(gl, GL_TEXTURE_CUBE_MAP, GL_CLAMP_TO_EDGE);
     gl->TexStorage2D(GL_TEXTURE_CUBE_MAP, 1, rl_texel_storage(settings->env_format).internal_format,
                      settings->env_size, settings->env_size);
     char what[64];

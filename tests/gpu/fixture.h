@@ -18,15 +18,9 @@
 #include "scene/plan.h"
 #include "scene/scene.h"
 #include "scene/shapes.h"
+#include "support/check.h"
 
 enum { FIXTURE_MAX = 8 };
-
-/* Stops the test with the error's own words. */
-#define assert_ok(call, error)                                                                               \
-    do {                                                                                                     \
-        if ((call) != RL_OK)                                                                                 \
-            fail_msg("%s", (error).message);                                                                 \
-    } while (0)
 
 /* An empty scene that owns room for FIXTURE_MAX of each kind. */
 static inline void fixture_begin(struct rl_scene *scene, int width, int height)
@@ -92,7 +86,7 @@ static inline void fixture_object(struct rl_scene *scene, enum rl_shape shape, i
     struct rl_object *o = &scene->object[scene->n_objects++];
     rl_vec3 low;
     rl_vec3 high;
-    assert_ok(rl_shape_build(&o->mesh, shape, tessellation, 0.3, &error), error);
+    check_ok(rl_shape_build(&o->mesh, shape, tessellation, 0.3, &error), &error);
     for (size_t i = 0; i < o->mesh.n_vertices; i++) {
         float *p = o->mesh.position[i];
         p[0] = (float)(scale * p[0] + centre.x);
@@ -112,7 +106,7 @@ static inline void fixture_light(struct rl_scene *scene, const rl_vec3 *vertex, 
     l->polygon = calloc(1, sizeof *l->polygon);
     l->n_polygons = 1;
     assert_non_null(l->polygon);
-    assert_ok(rl_polygon_make(l->polygon, vertex, n, &error), error);
+    check_ok(rl_polygon_make(l->polygon, vertex, n, &error), &error);
     l->radiance[0] = r;
     l->radiance[1] = g;
     l->radiance[2] = b;
@@ -154,10 +148,10 @@ static inline void fixture_render(struct rl_image *image, struct rl_gpu *gpu, co
     struct rl_plan plan;
     struct rl_gpu_scene *gs;
     double seconds;
-    assert_ok(rl_plan_make(&plan, scene, settings, &error), error);
-    assert_ok(rl_gpu_scene_make(&gs, gpu, scene, &plan, &error), error);
-    assert_ok(rl_gpu_scene_frame(gs, &seconds, &error), error);
-    assert_ok(rl_gpu_scene_read(gs, image, &error), error);
+    check_ok(rl_plan_make(&plan, scene, settings, &error), &error);
+    check_ok(rl_gpu_scene_make(&gs, gpu, scene, &plan, &error), &error);
+    check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
+    check_ok(rl_gpu_scene_read(gs, image, &error), &error);
     rl_gpu_scene_free(gs);
     rl_plan_clear(&plan);
 }

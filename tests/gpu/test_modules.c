@@ -1,0 +1,150 @@
+/* Shader modules: a mistake in any of them is reported with its file and line. */
+#include <stdbool.h>
+
+#include "gpu/fixture.h"
+#include "gpu/modules.h"
+#include "support/temporary.h"
+
+static struct temporary folder;
+
+static void run(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void run(const char *format, ...)
+{
+    char command[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    int n = vsnprintf(command, sizeof command, format, arguments);
+    va_end(arguments);
+    assert_in_range(n, 1, sizeof command - 1);
+    assert_int_equal(system(command), 0);
+}
+
+static int copy_shaders(void **state)
+{
+    (void)state;
+    temporary_make(&folder);
+    run("cp -r shaders %s/", folder.folder);
+    return setenv("ROUGHLIGHT_DATA", folder.folder, 1);
+}
+
+static int remove_shaders(void **state)
+{
+    (void)state;
+    temporary_remove(&folder);
+    return unsetenv("ROUGHLIGHT_DATA");
+}
+
+/* Puts `line` in place of line `number` of a copied module. */
+static void spoil(const char *module, int number, const char *line)
+{
+    run("sed '%ds/.*/%s/' shaders/%s.glsl > %s/shaders/%s.glsl", number, line, module, folder.folder, module);
+}
+
+static void restore(const char *module)
+{
+    run("cp shaders/%s.glsl %s/shaders/%s.glsl", module, folder.folder, module);
+}
+
+static int prepare(const char *method, struct rl_error *error)
+{
+    struct rl_scene scene;
+    struct rl_plan plan;
+    struct rl_gpu *gpu;
+    struct rl_gpu_scene *gs;
+    struct rl_settings settings = RL_SETTINGS_DEFAULT;
+    fixture_sphere(&scene, 32, 24, method, 10.0);
+    check_ok(rl_plan_make(&plan, &scene, &settings, error), error);
+    check_ok(rl_gpu_open(&gpu, "auto", error), error);
+    int status = rl_gpu_scene_make(&gs, gpu, &scene, &plan, error);
+    rl_gpu_scene_free(gs);
+    rl_gpu_close(gpu);
+    rl_plan_clear(&plan);
+    fixture_end(&scene);
+    return status;
+}
+
+static void a_mistake_is_named_by_module_and_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *module, *method;
+        int line;
+    } rows[] = {
+        {"common/surface", "plain", 5},        {"common/lights", "plain", 3},
+        {"effects/ambient", "plain", 6},       {"effects/diffuse", "plain", 12},
+        {"methods/plain", "plain", 10},        {"passes/surface", "plain", 9},
+        {"passes/object_vertex", "plain", 9},  {"common/frame", "random", 6},
+        {"common/environment", "regular", 13}, {"common/normal_map", "random", 9},
+        {"methods/regular", "regular", 7},     {"passes/highlight", "random", 9},
+        {"passes/environment", "random", 8},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_error error;
+        char expected[128];
+        spoil(rows[i].module, rows[i].line, "\\$ mistake \\$");
+        assert_int_equal(prepare(rows[i].method, &error), RL_ERR_INPUT);
+        restore(rows[i].module);
+        snprintf(expected, sizeof expected, "shaders/%s.glsl:%d: ", rows[i].module, rows[i].line);
+        if (strncmp(error.message, expected, strlen(expected)) != 0)
+            fail_msg("expected %s..., found %s", expected, error.message);
+        assert_null(strchr(error.message, '\n'));
+    }
+    struct rl_error error;
+    check_ok(prepare("random", &error), &error);
+}
+
+static void a_missing_function_is_named(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    spoil("effects/diffuse", 8, "vec3 effect_other(Surface s)");
+    assert_int_equal(prepare("plain", &error), RL_ERR_INPUT);
+    restore("effects/diffuse");
+    assert_non_null(strstr(error.message, "effect_diffuse"));
+}
+
+static void a_missing_module_is_an_error(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    run("rm %s/shaders/methods/random.glsl", folder.folder);
+    check_fails(prepare("random", &error), &error, RL_ERR_UNAVAILABLE, "shaders/methods/random.glsl");
+    restore("methods/random");
+}
+
+static void logs_of_other_compilers(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *log, *expected;
+    } rows[] = {
+        {"1:12(3): error: `x' undeclared\n", "shaders/effects/diffuse.glsl:12: error: `x' undeclared"},
+        {"0:1(2): warning: w\n1:7(3): error: e\n", "shaders/effects/diffuse.glsl:7: error: e"},
+        {"1(12) : error C1008: undefined variable\n",
+         "shaders/effects/diffuse.glsl:12: error C1008: undefined variable"},
+        {"ERROR: 0:3: 'x' : undeclared identifier\n",
+         "shaders/passes/object_vertex.glsl:3: 'x' : undeclared identifier"},
+        {"error: unresolved reference to function `highlight'\n",
+         "the surface pass's shader: error: unresolved reference to function `highlight'"},
+        {"", "the surface pass's shader: "},
+    };
+    struct rl_plan_program program = {.pass = "surface", .n_modules = 2};
+    snprintf(program.module[0], sizeof program.module[0], "passes/object_vertex");
+    snprintf(program.module[1], sizeof program.module[1], "effects/diffuse");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_error error;
+        assert_int_equal(rl_modules_fail(&program, rows[i].log, &error), RL_ERR_INPUT);
+        assert_string_equal(error.message, rows[i].expected);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mistake_is_named_by_module_and_line),
+        cmocka_unit_test(a_missing_function_is_named),
+        cmocka_unit_test(a_missing_module_is_an_error),
+        cmocka_unit_test(logs_of_other_compilers),
+    };
+    return cmocka_run_group_tests(tests, copy_shaders, remove_shaders);
+}
