@@ -40,15 +40,13 @@ static size_t count_vertices(const struct rl_scene *scene)
     return n;
 }
 
-static size_t fill_polygon(struct light_vertex *to, const struct rl_polygon *p, const double radiance[3],
-                           float unit)
+static size_t fill_polygon(struct light_vertex *to, const struct rl_polygon *p, const float texel[3])
 {
     size_t n = 0;
     for (int t = 0; t < p->n - 2; t++)
         for (int k = 0; k < 3; k++, n++) {
             store(to[n].position, p->vertex[p->triangle[t][k]]);
-            for (int c = 0; c < 3; c++)
-                to[n].radiance[c] = (float)(radiance[c] / unit);
+            memcpy(to[n].radiance, texel, sizeof to[n].radiance);
         }
     return n;
 }
@@ -64,8 +62,12 @@ static int fill_vertices(struct rl_gpu_scene *gs, struct rl_error *error)
     size_t n = 0;
     for (size_t i = 0; i < scene->n_lights; i++) {
         const struct rl_light *light = &scene->light[i];
+        float texel[3];
+        for (int c = 0; c < 3; c++)
+            texel[c] =
+                rl_texel_nearest(gs->plan->settings.env_format, c, light->radiance[c] / gs->environment_unit);
         for (size_t j = 0; j < light->n_polygons; j++)
-            n += fill_polygon(vertex + n, &light->polygon[j], light->radiance, gs->environment_unit);
+            n += fill_polygon(vertex + n, &light->polygon[j], texel);
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, gs->lights.vertex_buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(n * sizeof *vertex), vertex, GL_STATIC_DRAW);

@@ -3,10 +3,13 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "model/ellipsoid.h"
+
+enum { HALF_MANTISSA = 10 }; /* explicit bits */
 
 struct rl_texel_storage rl_texel_storage(enum rl_texel_format format)
 {
@@ -38,18 +41,54 @@ float rl_texel_unit(enum rl_texel_format format, float radiance_scale)
     }
 }
 
+/* The nearest number of `bits` explicit bits of mantissa and five of exponent: halves and their relatives. */
+static double nearest_small_float(double value, int bits)
+{
+    int exponent = 0;
+    (void)frexp(value, &exponent);
+    int step = (exponent > -14 ? exponent : -13) - 1 - bits;
+    return ldexp(nearbyint(ldexp(value, -step)), step);
+}
+
+float rl_texel_nearest(enum rl_texel_format format, int component, double value)
+{
+    double levels = 0.0;
+    switch (format) {
+    case RL_TEXEL_R11G11B10F:
+        return (float)nearest_small_float(value, component < 2 ? 6 : 5);
+    case RL_TEXEL_RGBA16F:
+        return (float)nearest_small_float(value, HALF_MANTISSA);
+    case RL_TEXEL_RGBA8:
+        levels = 255.0;
+        break;
+    case RL_TEXEL_RGB10A2:
+        levels = 1023.0;
+        break;
+    case RL_TEXEL_RGBA16:
+        levels = 65535.0;
+        break;
+    default:
+        return (float)value;
+    }
+    /* A quarter of a step above the level is on the safe side of both. */
+    return (float)fmin(1.0, (nearbyint(levels * value) + 0.25) / levels);
+}
+
 /* (v + 1)/2 in steps of 1/levels. */
 static unsigned quantize(double v, unsigned levels)
 {
     return (unsigned)lround((v + 1.0) / 2.0 * levels);
 }
 
-static void store_float(void *data, size_t i, struct rl_microfacet h)
+/* Halves are rounded here, so that it does not matter how OpenGL does it. */
+static void store_float(void *data, size_t i, struct rl_microfacet h, bool half)
 {
+    const double v[3] = {h.x, h.y, h.z};
     float *to = (float *)data + 4 * i;
-    to[0] = (float)((h.x + 1.0) / 2.0);
-    to[1] = (float)((h.y + 1.0) / 2.0);
-    to[2] = (float)((h.z + 1.0) / 2.0);
+    for (int c = 0; c < 3; c++) {
+        double stored = (v[c] + 1.0) / 2.0;
+        to[c] = (float)(half ? nearest_small_float(stored, HALF_MANTISSA) : stored);
+    }
     to[3] = 1.0f;
 }
 
@@ -84,7 +123,7 @@ static void store(void *data, size_t i, struct rl_microfacet h, int bits)
     switch (bits) {
     case RL_NORMAL_BITS_HALF:
     case RL_NORMAL_BITS_FLOAT:
-        store_float(data, i, h);
+        store_float(data, i, h, bits == RL_NORMAL_BITS_HALF);
         break;
     case 8:
         store_8(data, i, h);
@@ -100,7 +139,7 @@ static void store(void *data, size_t i, struct rl_microfacet h, int bits)
 static struct rl_normal_texels layout(int bits)
 {
     switch (bits) {
-    case RL_NORMAL_BITS_HALF: /* OpenGL rounds to half on upload */
+    case RL_NORMAL_BITS_HALF:
         return (struct rl_normal_texels){NULL, 16, GL_RGBA16F, GL_RGBA, GL_FLOAT};
     case RL_NORMAL_BITS_FLOAT:
         return (struct rl_normal_texels){NULL, 16, GL_RGBA32F, GL_RGBA, GL_FLOAT};

@@ -1,0 +1,115 @@
+/* Normal maps hold the method's normals to their bits; samples of a pixel are different texels. */
+#include "gpu/fixture.h"
+#include "gpu/program.h"
+#include "gpu/textures.h"
+
+/* A texel as a shader decodes it: 2 t - 1. Halves are handed over as floats. */
+static void decode(double h[3], const struct rl_normal_texels *texels, size_t i)
+{
+    for (int c = 0; c < 3; c++) {
+        double t;
+        if (texels->type == GL_FLOAT)
+            t = ((const float *)texels->data)[4 * i + (size_t)c];
+        else if (texels->type == GL_UNSIGNED_BYTE)
+            t = ((const uint8_t *)texels->data)[4 * i + (size_t)c] / 255.0;
+        else if (texels->type == GL_UNSIGNED_SHORT)
+            t = ((const uint16_t *)texels->data)[4 * i + (size_t)c] / 65535.0;
+        else
+            t = (((const uint32_t *)texels->data)[i] >> (10 * c) & 1023) / 1023.0;
+        h[c] = 2.0 * t - 1.0;
+    }
+}
+
+static void normals_are_the_methods_to_their_bits(void **state)
+{
+    (void)state;
+    static const struct {
+        int bits;
+        GLenum internal_format;
+        double step; /* of the stored value (H + 1)/2 */
+        double tolerance;
+    } rows[] = {
+        {4, GL_RGBA16, 1.0 / 15, 1e-5},
+        {5, GL_RGBA16, 1.0 / 31, 1e-5},
+        {7, GL_RGBA16, 1.0 / 127, 1e-5},
+        {8, GL_RGBA8, 1.0 / 255, 1e-12},
+        {9, GL_RGBA16, 1.0 / 511, 1e-5},
+        {10, GL_RGB10_A2, 1.0 / 1023, 1e-12},
+        {12, GL_RGBA16, 1.0 / 4095, 1e-5},
+        {15, GL_RGBA16, 1.0 / 32767, 1e-5},
+        {16, GL_RGBA16, 1.0 / 65535, 1e-12},
+        {RL_NORMAL_BITS_HALF, GL_RGBA16F, 1.0 / 2048, 1e-12},
+        {RL_NORMAL_BITS_FLOAT, GL_RGBA32F, 1e-7, 1e-12},
+    };
+    const struct rl_method *method = rl_method_find("random");
+    const struct rl_plan_normal_map map = {.rr = 7.0, .method = method};
+    struct rl_ellipsoid e = rl_ellipsoid_make(map.rr);
+    for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
+        struct rl_error error;
+        struct rl_normal_texels texels;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        settings.normal_bits = rows[r].bits;
+        settings.normal_size = 64;
+        settings.seed = 5;
+        check_ok(rl_normal_texels_make(&texels, &map, &settings, &error), &error);
+        assert_int_equal(texels.internal_format, rows[r].internal_format);
+        for (size_t i = 0; i < 64 * 64; i++) {
+            double h[3];
+            struct rl_microfacet expected = method->texel(&e, 5, i);
+            decode(h, &texels, i);
+            /* Half a step of the stored value is a whole one of H. */
+            check_near(h[0], expected.x, rows[r].step + 2.0 * rows[r].tolerance);
+            check_near(h[1], expected.y, rows[r].step + 2.0 * rows[r].tolerance);
+            check_near(h[2], expected.z, rows[r].step + 2.0 * rows[r].tolerance);
+            /* Nothing but the steps occurs; those of floats vary. */
+            double level = (h[1] + 1.0) / 2.0 / rows[r].step;
+            if (texels.type != GL_FLOAT)
+                check_near(level, round(level), 2e-5 / rows[r].step);
+        }
+        free(texels.data);
+    }
+}
+
+static void samples_of_a_pixel_are_distinct_texels(void **state)
+{
+    (void)state;
+    static const int sizes[] = {64, 128, 256, 512, 1024, 2048};
+    for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
+        unsigned texels = (unsigned)sizes[s] * (unsigned)sizes[s];
+        unsigned step = rl_normal_map_step(sizes[s]);
+        unsigned char *seen = calloc(texels, 1);
+        assert_non_null(seen);
+        for (unsigned i = 0; i < RL_SAMPLES_MAX; i++) {
+            unsigned at = i * step & (texels - 1);
+            assert_false(seen[at]);
+            seen[at] = 1;
+        }
+        /* The same in the shader's 32 bits: no product may be cut. */
+        assert_true((uint64_t)step * (RL_SAMPLES_MAX - 1) <= UINT32_MAX);
+        free(seen);
+    }
+}
+
+static void units_keep_floats_exact(void **state)
+{
+    (void)state;
+    static const float scales[] = {1.0f, 3.0f, 1e-20f, 65504.0f, 3e38f, 0.7f};
+    for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+        int exponent;
+        float unit = rl_texel_unit(RL_TEXEL_RGBA16F, scales[i]);
+        assert_true(frexpf(unit, &exponent) == 0.5f && isfinite(unit));
+        assert_true(scales[i] / unit <= 2.0f && scales[i] / unit >= 0.5f);
+        assert_true(rl_texel_unit(RL_TEXEL_RGBA8, scales[i]) == scales[i]);
+    }
+    assert_true(rl_texel_unit(RL_TEXEL_RGBA8, 0.0f) == 1.0f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(normals_are_the_methods_to_their_bits),
+        cmocka_unit_test(samples_of_a_pixel_are_distinct_texels),
+        cmocka_unit_test(units_keep_floats_exact),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
