@@ -152,7 +152,7 @@ static void spheres_are_by_material(void **state)
     struct rl_image without;
     struct rl_settings settings = RL_SETTINGS_DEFAULT;
     double seconds;
-    fixture_begin(&scene, 80, 40);
+    fixture_begin(&scene, 160, 80);
     fixture_camera(&scene, v3(0.0, 0.0, 6.0), v3(0.0, 0.0, 0.0), 25.0);
     for (int i = 0; i < 2; i++)
         fixture_object(&scene, RL_SHAPE_SPHERE, 16, 1.0, v3(i ? 1.1 : -1.1, 0.0, 0.0),
@@ -167,11 +167,11 @@ static void spheres_are_by_material(void **state)
     check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
     check_ok(rl_gpu_scene_read(gs, &image, &error), &error);
     size_t left = 0;
-    for (int y = 0; y < 40; y++)
-        for (int x = 0; x < 80; x++) {
+    for (int y = 0; y < 80; y++)
+        for (int x = 0; x < 160; x++) {
             bool same =
                 memcmp(rl_image_pixel(&image, x, y), rl_image_pixel(&without, x, y), sizeof(float[4])) == 0;
-            assert_true(same || x < 40);
+            assert_true(same || x < 80);
             left += !same;
         }
     print_message("%zu pixels of the first object are masked\n", left);
