@@ -114,8 +114,10 @@ int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, con
 {
     *out = NULL;
     struct rl_bench_scene *set = calloc(1, sizeof *set);
-    if (!set)
-        return rl_fail_memory(error, "a scene");
+    if (!set) {
+        rl_fail_memory(error, "a scene");
+        return RL_ERR_SYSTEM;
+    }
     struct rl_settings settings;
     int status = rl_bench_settings(&settings, parameters, error);
     settings.seed = seed;

@@ -104,7 +104,7 @@ static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid g
     int status = RL_OK;
     for (int r = 0; g->rr[r] > 0.0; r++) {
         bool fine = g->fine && (g->fine_everywhere || g->rr[r] == fine_rr);
-        for (int f = 0; f <= fine; f++)
+        for (int f = 0; f <= (fine ? 1 : 0); f++)
             for (int n = 0; g->samples[n] > 0 && status == RL_OK; n++)
                 status = plan_group(run, place, g, group++, f > 0, g->samples[n], g->rr[r], error);
     }

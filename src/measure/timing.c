@@ -17,6 +17,7 @@ void rl_timing_clear(struct rl_timing *timing)
     *timing = (struct rl_timing){0};
 }
 
+/* What was allocated when memory ran out is left for rl_timing_clear. */
 static int allocate(struct rl_timing *timing, size_t n_arms, size_t rounds, struct rl_error *error)
 {
     *timing = (struct rl_timing){.n_arms = n_arms, .ms = calloc(n_arms, sizeof *timing->ms)};
@@ -25,8 +26,8 @@ static int allocate(struct rl_timing *timing, size_t n_arms, size_t rounds, stru
         ok = (timing->ms[i] = malloc(rounds * sizeof **timing->ms)) != NULL;
     if (ok)
         return RL_OK;
-    rl_timing_clear(timing);
-    return rl_fail_memory(error, "frame times");
+    rl_fail_memory(error, "frame times");
+    return RL_ERR_SYSTEM;
 }
 
 /* A random order of 0 ... n - 1 that depends on the seed and the round (Fisher and Yates). */
@@ -51,10 +52,14 @@ static int one_round(double seconds[], const struct rl_timing_arm *arm, size_t n
     for (size_t i = 0; i < n_arms; i++) {
         const struct rl_timing_arm *a = &arm[order[i]];
         int status = a->frame(a->user, &seconds[order[i]], error);
-        if (status != RL_OK)
-            return rl_fail_prefix(error, "%s", a->name);
-        if (rl_progress_cancelled(progress))
-            return rl_fail(error, RL_ERR_CANCELLED, "interrupted while timing");
+        if (status != RL_OK) {
+            rl_fail_prefix(error, "%s", a->name);
+            return status;
+        }
+        if (rl_progress_cancelled(progress)) {
+            rl_fail(error, RL_ERR_CANCELLED, "interrupted while timing");
+            return RL_ERR_CANCELLED;
+        }
     }
     return RL_OK;
 }
@@ -81,10 +86,10 @@ int rl_timing_run(struct rl_timing *timing, const struct rl_timing_arm *arm, siz
                        options->min_rounds, options->max_rounds, RL_TIMING_ARMS_MAX);
     int status = allocate(timing, n_arms, (size_t)options->max_rounds, error);
     double start = rl_clock_seconds();
+    uint64_t turn = 0;
     for (int round = -options->warm_up; status == RL_OK && round < options->max_rounds; round++) {
-        double seconds[RL_TIMING_ARMS_MAX];
-        status = one_round(seconds, arm, n_arms, options->seed, (uint64_t)(round + options->warm_up),
-                           progress, error);
+        double seconds[RL_TIMING_ARMS_MAX] = {0.0};
+        status = one_round(seconds, arm, n_arms, options->seed, turn++, progress, error);
         if (status != RL_OK || round < 0)
             continue;
         for (size_t i = 0; i < n_arms; i++)

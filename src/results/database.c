@@ -162,9 +162,11 @@ int rl_database_open(struct rl_database **out, const char *path, enum rl_databas
         return rl_fail_memory(error, path);
     db->lock = -1;
     db->path = strdup(path);
-    int status = db->path ? RL_OK : rl_fail_memory(error, path);
-    if (status == RL_OK && mode == RL_DATABASE_WRITE)
-        status = take_lock(db, error);
+    if (!db->path) {
+        free(db);
+        return rl_fail_memory(error, path);
+    }
+    int status = mode == RL_DATABASE_WRITE ? take_lock(db, error) : RL_OK;
     if (status == RL_OK)
         status = open_file(db, mode, error);
     if (status != RL_OK) {

@@ -13,8 +13,6 @@
 
 #include "base/paths.h"
 
-extern char **environ;
-
 enum { OUTPUT_MAX = 8192 };
 
 /* Reads all of `fd`, keeps the first OUTPUT_MAX - 1 bytes. */
@@ -118,7 +116,7 @@ int rl_plot(const char *script, const char *const arguments[], struct rl_error *
         return status;
     /* posix_spawn takes char *const, but does not write to the words. */
     char *argv[RL_PLOT_ARGUMENTS_MAX + 5] = {(char *)"gnuplot", (char *)"-c", path, style};
-    for (size_t i = 0; arguments[i] && i < RL_PLOT_ARGUMENTS_MAX; i++)
+    for (size_t i = 0; i < RL_PLOT_ARGUMENTS_MAX && arguments[i]; i++)
         argv[4 + i] = (char *)arguments[i];
     return run_gnuplot(argv, script, error);
 }

@@ -73,7 +73,9 @@ static void test_no_gnuplot(void **state)
     (void)state;
     const char *arguments[] = {folder.folder, "out.svg", NULL};
     struct rl_error error = {0};
-    char *kept = strdup(getenv("PATH"));
+    const char *path = getenv("PATH");
+    char *kept = strdup(path ? path : "");
+    assert_non_null(kept);
     setenv("PATH", folder.folder, 1);
     assert_int_equal(rl_plot("draws.gp", arguments, &error), RL_ERR_UNAVAILABLE);
     setenv("PATH", kept, 1);

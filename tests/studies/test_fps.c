@@ -27,7 +27,7 @@ static void add_arm(struct rl_run *run, const char *arm, double ms, int index, c
 {
     double value[ROUNDS];
     for (int i = 0; i < ROUNDS; i++) {
-        double chance = 2.0 * rl_random_uniform(11, (uint64_t)(index * 1000 + i)) - 1.0;
+        double chance = 2.0 * rl_random_uniform(11, (uint64_t)index * 1000 + (uint64_t)i) - 1.0;
         value[i] = ms * (1.0 + w->jitter * chance) * (1.0 + (i > 20 && i < 40 ? w->wave : 0.0));
     }
     struct rl_record *r = rl_run_add(run, &place, 0, NULL, "arm=%s method=x samples=4", arm);
