@@ -73,17 +73,22 @@ if (figure eq "split") {
 if (figure eq "floor") {
     set title "What samples cannot remove: " . scene . ", R_r 30, float normals"
     set xlabel "environment map, texels along an edge of a face"
-    set ylabel "floor, root of bias² (full scale 1)"
-    set xtics (32, 64, 128, 256, 512, 1024, 2048, 4096)
-    stats data using (strcol("scene") eq scene && strcol("series") eq "floor" ? column("env_size_px") : NaN) name "SIZE" nooutput
-    stats data using (strcol("scene") eq scene && strcol("series") eq "floor" && column("floor") > 0 ? column("floor") : NaN) name "FLOOR" nooutput
+    set ylabel "error of the mean over seeds (full scale 1)"
+    set xtics (8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
+    here(x) = strcol("scene") eq scene && strcol("series") eq "floor" ? x : NaN
+    stats data using (here(column("env_size_px"))) name "SIZE" nooutput
+    stats data using (here(column("floor") > 0 ? column("floor") : NaN)) name "FLOOR" nooutput
+    stats data using (here(column("texel_error") > 0 ? column("texel_error") : NaN)) name "TEXEL" nooutput
     set xrange [SIZE_min / 1.3:SIZE_max * 1.3]
-    set yrange [10 ** floor(log10(FLOOR_min)):10 ** ceil(log10(FLOOR_max > step ? FLOOR_max : step))]
-    stats data using (strcol("scene") eq scene && strcol("series") eq "floor" && column("env_size_px") == SIZE_min ? column("floor") : NaN) name "FIRST" nooutput
-    plot data using (strcol("scene") eq scene && strcol("series") eq "floor" ? column("env_size_px") : NaN):"floor":(above_zero(column("floor_low"))):"floor_high" \
-            with yerrorlines linetype 1 pointsize 1 title "floor", \
+    low = TEXEL_min < step ? TEXEL_min : step
+    high = FLOOR_max > TEXEL_max ? FLOOR_max : TEXEL_max
+    set yrange [10 ** floor(log10(low)):10 ** ceil(log10(high))]
+    plot data using (here(column("env_size_px"))):"floor":(above_zero(column("floor_low"))):"floor_high" \
+            with yerrorlines linetype 1 pointsize 1 title "floor: error against the reference", \
+        data using (here(column("texel_error") > 0 ? column("env_size_px") : NaN)):"texel_error":(above_zero(column("texel_error_low"))):"texel_error_high" \
+            with yerrorlines linetype 2 dashtype 1 pointsize 1 title "texel error: against the largest map", \
         step with lines linestyle 90 title "1/255", \
-        FIRST_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1"
+        TEXEL_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1"
 }
 
 if (figure eq "time") {

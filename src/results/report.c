@@ -24,6 +24,8 @@ static void value_with_interval(struct rl_buffer *page, const struct rl_claim *c
     char text[128];
     if (isnan(c->value))
         snprintf(text, sizeof text, "not measured");
+    else if (isinf(c->value))
+        snprintf(text, sizeof text, "more than was tried:");
     else if (c->low < c->value || c->high > c->value)
         snprintf(text, sizeof text, "%.4g [%.4g, %.4g]", c->value, c->low, c->high);
     else

@@ -16,8 +16,8 @@ static const struct rl_place place = {"samples", "made-up", "made-up.yaml", 1};
  * the regular pattern at N = 13, and the floors over the environment map's size. */
 struct world {
     double noise_1, slope, floor, regular_13;
-    double floor_64, floor_256, floor_1024, floor_2048;
-    double spread; /* half width of every interval, relative */
+    double position, texels_256; /* what the largest map leaves, and what 256 texels add */
+    double spread;               /* half width of every interval, relative */
 };
 
 static const struct world usual = {
@@ -25,10 +25,8 @@ static const struct world usual = {
     .slope = -0.5,
     .floor = 0.01,
     .regular_13 = 0.15,
-    .floor_64 = 0.04,
-    .floor_256 = 0.01,
-    .floor_1024 = 0.0031,
-    .floor_2048 = 0.003,
+    .position = 0.01,
+    .texels_256 = 0.002,
     .spread = 0.02,
 };
 
@@ -68,14 +66,13 @@ static void make(struct rl_run *run, const struct world *w)
     add_rr(run, w, 3.0, 0.5);
     add_rr(run, w, 30.0, 1.0);
     add_rr(run, w, 300.0, 20.0);
-    const struct {
-        int size;
-        double floor;
-    } map[] = {{64, w->floor_64}, {256, w->floor_256}, {1024, w->floor_1024}, {2048, w->floor_2048}};
-    for (int i = 0; i < 4; i++) {
-        struct rl_record *r = rl_run_add(run, &place, 5000 + i, NULL,
-                                         "series=floor samples=1024 rr=30 env_size=%d", map[i].size);
-        fill(r, 0.001, map[i].floor, w->spread);
+    for (int size = 64; size <= 2048; size *= 2) {
+        double texels = w->texels_256 * 256.0 / size;
+        struct rl_record *r =
+            rl_run_add(run, &place, 5000, NULL, "series=floor samples=1024 rr=30 env_size=%d", size);
+        fill(r, 0.001, hypot(w->position, size < 2048 ? texels : 0.0), w->spread);
+        if (size < 2048)
+            metric(r, "texel_error", texels, w->spread);
     }
 }
 
@@ -152,16 +149,18 @@ static void test_flips(void **state)
     assert_int_equal(verdict_in(w, truth), RL_VERDICT_FAILS);
 
     w = usual;
-    static const char larger[] = "a larger environment map than 256";
-    assert_int_equal(verdict_in(w, larger), RL_VERDICT_HOLDS);
-    w.floor_2048 = 0.02;
-    assert_int_equal(verdict_in(w, larger), RL_VERDICT_FAILS);
+    static const char position[] = "neither samples nor texels";
+    assert_int_equal(verdict_in(w, position), RL_VERDICT_HOLDS);
+    w.position = 0.001;
+    assert_int_equal(verdict_in(w, position), RL_VERDICT_FAILS);
+    w.position = 1.0 / 255.0;
+    assert_int_equal(verdict_in(w, position), RL_VERDICT_INCONCLUSIVE);
 
     w = usual;
-    static const char remains[] = "a floor remains";
-    assert_int_equal(verdict_in(w, remains), RL_VERDICT_HOLDS);
-    w.floor_2048 = 0.0016;
-    assert_int_equal(verdict_in(w, remains), RL_VERDICT_FAILS);
+    static const char texels[] = "256 texels are enough";
+    assert_int_equal(verdict_in(w, texels), RL_VERDICT_HOLDS);
+    w.texels_256 = 0.02;
+    assert_int_equal(verdict_in(w, texels), RL_VERDICT_FAILS);
 }
 
 static void test_values(void **state)
@@ -173,8 +172,8 @@ static void test_values(void **state)
     assert_true(fabs(c.value + 0.5) < 1e-9);
     c = judge(&run, "paper: 4 random normals give no more error");
     assert_true(fabs(c.value - hypot(0.1, 0.01) / 0.15) < 1e-9);
-    c = judge(&run, "a larger environment map");
-    assert_true(fabs(c.value - 0.01 / 0.003) < 1e-9);
+    c = judge(&run, "256 texels are enough");
+    assert_true(fabs(c.value - 0.2) < 1e-9);
     assert_true(c.low < c.value && c.value < c.high);
     assert_string_equal(c.study, "samples");
     assert_string_equal(c.command, "roughlight study run samples --scene made-up.yaml");
