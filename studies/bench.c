@@ -115,7 +115,7 @@ int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, con
     *out = NULL;
     struct rl_bench_scene *set = calloc(1, sizeof *set);
     if (!set) {
-        rl_fail_memory(error, "a scene");
+        rl_error_set(error, RL_ERR_SYSTEM, "out of memory for a scene");
         return RL_ERR_SYSTEM;
     }
     struct rl_settings settings;

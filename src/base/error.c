@@ -4,16 +4,15 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-int rl_fail(struct rl_error *error, enum rl_status status, const char *format, ...)
+void rl_error_set(struct rl_error *error, enum rl_status status, const char *format, ...)
 {
-    if (error) {
-        va_list arguments;
-        va_start(arguments, format);
-        error->status = status;
-        vsnprintf(error->message, sizeof error->message, format, arguments);
-        va_end(arguments);
-    }
-    return status;
+    if (!error)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    error->status = status;
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
 }
 
 int rl_fail_prefix(struct rl_error *error, const char *format, ...)
@@ -30,9 +29,4 @@ int rl_fail_prefix(struct rl_error *error, const char *format, ...)
     /* A prefix that leaves no room for the message is cut: the message says more. */
     snprintf(error->message, sizeof error->message, "%.400s: %.600s", prefix, old.message);
     return error->status;
-}
-
-int rl_fail_memory(struct rl_error *error, const char *what)
-{
-    return rl_fail(error, RL_ERR_SYSTEM, "out of memory for %s", what);
 }

@@ -24,15 +24,19 @@ struct rl_error {
     char message[1024];
 };
 
-/* Fills `error` (if not NULL) like printf and returns `status`, so that `return rl_fail(...)` reads well. */
-int rl_fail(struct rl_error *error, enum rl_status status, const char *format, ...)
+/* Fills `error` (if not NULL) like printf. */
+void rl_error_set(struct rl_error *error, enum rl_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* The same as an expression of value `status`, so that `return rl_fail(...)` reads well. A macro, not a function: static
+ * analysers see the status itself, and that it is not RL_OK. */
+#define rl_fail(error, status, ...) (rl_error_set(error, status, __VA_ARGS__), (int)(status))
 
 /* Puts "prefix: " in front of the message already in `error`; returns its status. Where `error` may be NULL,
  * return the status that you have instead: NULL does not remember one, and RL_ERR_SYSTEM comes back. */
 int rl_fail_prefix(struct rl_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* RL_ERR_SYSTEM with "out of memory" and what for. */
-int rl_fail_memory(struct rl_error *error, const char *what);
+#define rl_fail_memory(error, what) rl_fail(error, RL_ERR_SYSTEM, "out of memory for %s", what)
 
 #endif

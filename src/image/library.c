@@ -19,19 +19,20 @@ static void load(void)
     char path[PATH_MAX];
     if (rl_path_plugin(path, sizeof path, RL_OIIO_PLUGIN, &reason) != RL_OK) {
         struct rl_error why = reason;
-        rl_fail(&reason, RL_ERR_UNAVAILABLE, "images cannot be read or written: %.600s; " ADVICE,
-                why.message);
+        rl_error_set(&reason, RL_ERR_UNAVAILABLE, "images cannot be read or written: %.600s; " ADVICE,
+                     why.message);
         return;
     }
     /* Never closed: the library's own threads and tables would outlive it. */
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     const struct rl_oiio *found = library ? dlsym(library, RL_OIIO_SYMBOL) : NULL;
     if (!found)
-        rl_fail(&reason, RL_ERR_UNAVAILABLE, "images cannot be read or written: %s; " ADVICE, dlerror());
+        rl_error_set(&reason, RL_ERR_UNAVAILABLE, "images cannot be read or written: %s; " ADVICE, dlerror());
     else if (found->interface != RL_OIIO_INTERFACE)
-        rl_fail(&reason, RL_ERR_UNAVAILABLE,
-                "images cannot be read or written: %s has interface %d, this program expects %d; run make",
-                path, found->interface, RL_OIIO_INTERFACE);
+        rl_error_set(
+            &reason, RL_ERR_UNAVAILABLE,
+            "images cannot be read or written: %s has interface %d, this program expects %d; run make", path,
+            found->interface, RL_OIIO_INTERFACE);
     else
         loaded = found;
 }

@@ -26,7 +26,7 @@ static int allocate(struct rl_timing *timing, size_t n_arms, size_t rounds, stru
         ok = (timing->ms[i] = malloc(rounds * sizeof **timing->ms)) != NULL;
     if (ok)
         return RL_OK;
-    rl_fail_memory(error, "frame times");
+    rl_error_set(error, RL_ERR_SYSTEM, "out of memory for frame times");
     return RL_ERR_SYSTEM;
 }
 
@@ -57,7 +57,7 @@ static int one_round(double seconds[], const struct rl_timing_arm *arm, size_t n
             return status;
         }
         if (rl_progress_cancelled(progress)) {
-            rl_fail(error, RL_ERR_CANCELLED, "interrupted while timing");
+            rl_error_set(error, RL_ERR_CANCELLED, "interrupted while timing");
             return RL_ERR_CANCELLED;
         }
     }

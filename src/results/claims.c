@@ -9,7 +9,7 @@ struct rl_claim *rl_claims_add(struct rl_claims *claims, struct rl_error *error)
 {
     struct rl_claim *grown = realloc(claims->claim, (claims->n + 1) * sizeof *grown);
     if (!grown) {
-        rl_fail_memory(error, "a list of claims");
+        rl_error_set(error, RL_ERR_SYSTEM, "out of memory for a list of claims");
         return NULL;
     }
     claims->claim = grown;

@@ -31,7 +31,7 @@ struct rl_record *rl_run_add(struct rl_run *run, const struct rl_place *place, i
 {
     struct rl_record *grown = realloc(run->record, (run->n_records + 1) * sizeof *grown);
     if (!grown) {
-        rl_fail_memory(error, "a list of cases");
+        rl_error_set(error, RL_ERR_SYSTEM, "out of memory for a list of cases");
         return NULL;
     }
     run->record = grown;
@@ -46,8 +46,8 @@ struct rl_record *rl_run_add(struct rl_run *run, const struct rl_place *place, i
     int n = vsnprintf(r->parameters, sizeof r->parameters, format, arguments);
     va_end(arguments);
     if (n < 0 || (size_t)n >= sizeof r->parameters) {
-        rl_fail(error, RL_ERR_INPUT, "parameters of a case: %d bytes, at most %d fit", n,
-                RL_PARAMETERS_MAX - 1);
+        rl_error_set(error, RL_ERR_INPUT, "parameters of a case: %d bytes, at most %d fit", n,
+                     RL_PARAMETERS_MAX - 1);
         return NULL;
     }
     run->n_records++;
