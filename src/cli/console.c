@@ -73,6 +73,7 @@ const struct rl_progress *rl_console_begin(struct rl_console *c)
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
     return &c->progress;
 }
 

@@ -6,7 +6,7 @@
  *     rl_console_end(&console);
  *
  * On a terminal: one line rewritten in place with done/total and the time left. Elsewhere: one line when a piece of work ends.
- * The first Ctrl-C (or SIGTERM) asks the work to stop, the second ends the process at once.
+ * The first Ctrl-C (or SIGTERM, SIGHUP) asks the work to stop, the second ends the process at once.
  */
 #ifndef RL_CLI_CONSOLE_H
 #define RL_CLI_CONSOLE_H

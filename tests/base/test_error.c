@@ -25,7 +25,7 @@ static void test_prefix(void **state)
 {
     (void)state;
     struct rl_error error;
-    rl_fail(&error, RL_ERR_CANCELLED, "inner %d%%", 5);
+    rl_error_set(&error, RL_ERR_CANCELLED, "inner %d%%", 5);
     assert_int_equal(rl_fail_prefix(&error, "%s %d", "case", 3), RL_ERR_CANCELLED);
     assert_string_equal(error.message, "case 3: inner 5%");
     assert_int_equal(error.status, RL_ERR_CANCELLED);
@@ -39,11 +39,11 @@ static void test_long_messages_are_cut(void **state)
     memset(text, 'm', sizeof text);
     text[sizeof text - 1] = '\0';
     struct rl_error error;
-    rl_fail(&error, RL_ERR_INPUT, "%s", text);
+    rl_error_set(&error, RL_ERR_INPUT, "%s", text);
     assert_int_equal(strlen(error.message), sizeof error.message - 1);
 
     /* A prefix as long leaves room for the message that says more. */
-    rl_fail(&error, RL_ERR_INPUT, "what happened");
+    rl_error_set(&error, RL_ERR_INPUT, "what happened");
     memset(text, 'p', sizeof text - 1);
     rl_fail_prefix(&error, "%s", text);
     assert_true(strlen(error.message) < sizeof error.message);
