@@ -53,13 +53,13 @@ static void send_bytes(int fd, const void *data, size_t size)
  * gets no limit. */
 static void limit_memory(size_t file_size)
 {
+    char text[64] = "";
     FILE *file = fopen("/proc/self/statm", "r");
-    unsigned long long pages = 0;
     if (!file)
         return;
-    bool known = fscanf(file, "%llu", &pages) == 1;
+    bool known = fgets(text, sizeof text, file) != NULL;
     fclose(file);
-    rlim_t now = (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE);
+    rlim_t now = (rlim_t)strtoull(text, NULL, 10) * (rlim_t)sysconf(_SC_PAGESIZE);
     if (!known || now >= (rlim_t)1 << 40)
         return;
     rlim_t limit = now + BYTES_ALLOWED + BYTES_PER_BYTE * (rlim_t)file_size;

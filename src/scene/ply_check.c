@@ -233,11 +233,11 @@ static int check_list(struct ply *p, const struct element *e, const struct prope
     double count, value;
     if (!take_value(p, property->count, &count))
         return fail_cut(p, e, row);
-    if (!(count >= (property->indices ? 3.0 : 0.0)) || count != floor(count))
+    if (!(count >= (property->indices ? 3.0 : 0.0)) || count != floor(count) || count > UINT32_MAX)
         return rl_fail(p->error, RL_ERR_INPUT, "%s: found a list of %g in row %llu of %s, expected %s",
                        p->path, count, row, e->name,
                        property->indices ? "3 vertices or more" : "a whole number of entries");
-    for (double i = 0.0; i < count; i += 1.0) {
+    for (uint64_t i = 0; i < (uint64_t)count; i++) {
         if (!take_value(p, property->value, &value))
             return fail_cut(p, e, row);
         if (property->indices && !(value >= 0.0 && value < (double)p->n_vertices))

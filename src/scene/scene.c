@@ -224,8 +224,9 @@ int rl_scene_load(struct rl_scene *scene, const char *path, struct rl_error *err
     struct rl_raw_scene *raw = NULL;
     scene->path = strdup(path);
     scene->hash = rl_hash_bytes(scene->hash, text, size);
-    status =
-        scene->path ? rl_raw_scene_load(&raw, &tree, path, text, size, error) : rl_fail_memory(error, path);
+    status = rl_raw_scene_load(&raw, &tree, path, text, size, error);
+    if (!scene->path)
+        status = rl_fail_memory(error, path);
     free(text);
     if (status == RL_OK) {
         struct rl_scene_builder b = {.raw = raw, .tree = &tree, .scene = scene, .error = error};

@@ -5,7 +5,6 @@
 #include "scene/teapot.h"
 
 #include <stdbool.h>
-#include <string.h>
 
 struct basis {
     double b[4], d[4]; /* Bernstein's cubics and their derivatives */
@@ -50,13 +49,17 @@ static void store(float to[3], rl_vec3 from)
     to[2] = (float)from.z;
 }
 
+static bool same_place(const float a[3], const float b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /* Leaves out a triangle that has the lid's tip twice. */
 static void add_triangle(struct rl_mesh *mesh, size_t a, size_t b, size_t c)
 {
-    size_t corner[3] = {a, b, c};
+    const size_t corner[3] = {a, b, c};
     for (int i = 0; i < 3; i++)
-        if (memcmp(mesh->position[corner[i]], mesh->position[corner[(i + 1) % 3]],
-                   sizeof mesh->position[0]) == 0)
+        if (same_place(mesh->position[corner[i]], mesh->position[corner[(i + 1) % 3]]))
             return;
     for (int i = 0; i < 3; i++)
         mesh->triangle[mesh->n_triangles][i] = (uint32_t)corner[i];
@@ -85,9 +88,8 @@ static void add_patch(struct rl_mesh *mesh, int patch, int tessellation)
 
 int rl_teapot_build(struct rl_mesh *mesh, int tessellation, struct rl_error *error)
 {
-    size_t n = (size_t)tessellation;
-    int status =
-        rl_mesh_allocate(mesh, RL_TEAPOT_PATCHES * (n + 1) * (n + 1), RL_TEAPOT_PATCHES * 2 * n * n, error);
+    size_t n = (size_t)tessellation, patches = RL_TEAPOT_PATCHES;
+    int status = rl_mesh_allocate(mesh, patches * (n + 1) * (n + 1), patches * 2 * n * n, error);
     if (status != RL_OK)
         return status;
     mesh->n_triangles = 0;

@@ -35,13 +35,18 @@ static struct outline outlines[] = {
     {"needle", 3, {0, 0, 1, 0, 1, 1e-6}, 0.5e-6},
 };
 
+static const double *point(const double *xy, int i)
+{
+    return xy + (size_t)i * 2;
+}
+
 /* The shoelace formula, independent of the triangles. */
 static double shoelace(const double *xy, int n)
 {
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
-        int j = (i + 1) % n;
-        sum += xy[2 * i] * xy[2 * j + 1] - xy[2 * j] * xy[2 * i + 1];
+        const double *a = point(xy, i), *b = point(xy, (i + 1) % n);
+        sum += a[0] * b[1] - b[0] * a[1];
     }
     return 0.5 * sum;
 }
@@ -51,9 +56,8 @@ static void place(rl_vec3 vertex[], const double *xy, int n, double scale, bool 
 {
     rl_vec3 a = v3_normalize(v3(0.6, 0.3, -0.2)), b = v3_normalize(v3_cross(a, v3(0.1, 1.0, 0.4)));
     for (int i = 0; i < n; i++) {
-        int k = reversed ? n - 1 - i : i;
-        rl_vec3 p = v3_madd(v3(3.0, -4.0, 5.0), xy[2 * k], a);
-        vertex[i] = v3_scale(scale, v3_madd(p, xy[2 * k + 1], b));
+        const double *p = point(xy, reversed ? n - 1 - i : i);
+        vertex[i] = v3_scale(scale, v3_madd(v3_madd(v3(3.0, -4.0, 5.0), p[0], a), p[1], b));
     }
 }
 
@@ -114,12 +118,12 @@ static void test_random_stars(void **state)
     uint64_t next = 0;
     for (int n = 3; n <= RL_POLYGON_VERTICES_MAX; n++)
         for (int repeat = 0; repeat < 20; repeat++) {
-            double xy[2 * RL_POLYGON_VERTICES_MAX];
+            double xy[2 * RL_POLYGON_VERTICES_MAX], *next_xy = xy;
             for (int i = 0; i < n; i++) {
                 double angle = 2.0 * RL_PI * (i + 0.8 * rl_random_uniform(seed, next++)) / n;
                 double radius = 0.05 + rl_random_uniform(seed, next++);
-                xy[2 * i] = radius * cos(angle);
-                xy[2 * i + 1] = radius * sin(angle);
+                *next_xy++ = radius * cos(angle);
+                *next_xy++ = radius * sin(angle);
             }
             rl_vec3 vertex[RL_POLYGON_VERTICES_MAX];
             place(vertex, xy, n, 1.0, repeat % 2);

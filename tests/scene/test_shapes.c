@@ -74,14 +74,14 @@ static void test_sizes(void **state)
 {
     (void)state;
     static const struct {
-        enum rl_shape shape;
         double minor, area, volume;
+        enum rl_shape shape;
         bool closed;
     } cases[] = {
-        {RL_SHAPE_SPHERE, 0.0, 4.0 * RL_PI, 4.0 / 3.0 * RL_PI, true},
-        {RL_SHAPE_TORUS, 0.4, 4.0 * RL_PI * RL_PI * 0.4, 2.0 * RL_PI * RL_PI * 0.16, true},
-        {RL_SHAPE_PLANE, 0.0, 4.0, 0.0, false},
-        {RL_SHAPE_DISC, 0.0, RL_PI, 0.0, false},
+        {0.0, 4.0 * RL_PI, 4.0 / 3.0 * RL_PI, RL_SHAPE_SPHERE, true},
+        {0.4, 4.0 * RL_PI * RL_PI * 0.4, 2.0 * RL_PI * RL_PI * 0.16, RL_SHAPE_TORUS, true},
+        {0.0, 4.0, 0.0, RL_SHAPE_PLANE, false},
+        {0.0, RL_PI, 0.0, RL_SHAPE_DISC, false},
     };
     static const int levels[] = {1, 2, 7, 40};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
