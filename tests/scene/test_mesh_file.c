@@ -104,7 +104,7 @@ static void test_given_normals(void **state)
 static void test_node_transforms(void **state)
 {
     (void)state;
-    static const float bin[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const float bin[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.6f, 0.8f, 0, 0.6f, 0.8f, 0, 0.6f, 0.8f};
     write_bytes("triangle.bin", bin, sizeof bin);
     struct rl_mesh mesh;
     uint64_t hash = RL_HASH_START, other = RL_HASH_START;
@@ -112,11 +112,12 @@ static void test_node_transforms(void **state)
         load_text(&mesh, "nodes.gltf",
                   "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
                   "\"nodes\":[{\"mesh\":0,\"translation\":[10,0,0]},{\"mesh\":0,\"scale\":[-2,1,1]}],"
-                  "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
-                  "\"buffers\":[{\"uri\":\"triangle.bin\",\"byteLength\":36}],"
-                  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+                  "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}]}],"
+                  "\"buffers\":[{\"uri\":\"triangle.bin\",\"byteLength\":72}],"
+                  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":72}],"
                   "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
-                  "\"min\":[0,0,0],\"max\":[1,1,0]}]}"),
+                  "\"min\":[0,0,0],\"max\":[1,1,0]},{\"bufferView\":0,\"byteOffset\":36,"
+                  "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}]}"),
         &error);
     check_sound(&mesh);
     assert_int_equal(mesh.n_triangles, 2);
@@ -135,6 +136,7 @@ static void test_node_transforms(void **state)
         const float *n = mesh.normal[mesh.triangle[t][0]];
         assert_true(v3_dot(face, v3(n[0], n[1], n[2])) > 0.0);
         assert_true(face.z > 0.0);
+        check_near((double)n[1], 0.6, 1e-6); /* as in the file: the stretch along x leaves it alone */
     }
     rl_mesh_clear(&mesh);
 
@@ -143,7 +145,7 @@ static void test_node_transforms(void **state)
     temporary_path(&folder, gltf, "nodes.gltf");
     check_ok(rl_mesh_load(&mesh, &hash, gltf, &error), &error);
     rl_mesh_clear(&mesh);
-    static const float moved[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0.5f};
+    static const float moved[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0.5f};
     write_bytes("triangle.bin", moved, sizeof moved);
     check_ok(rl_mesh_load(&mesh, &other, gltf, &error), &error);
     rl_mesh_clear(&mesh);

@@ -155,6 +155,32 @@ static void test_placement(void **state)
     }
 }
 
+/* (a, b) turned by an angle: one axis' rotation, in the plane of the other two. */
+static void turn(double *a, double *b, double degrees)
+{
+    double c = cos(degrees * RL_PI / 180.0), s = sin(degrees * RL_PI / 180.0), old = *a;
+    *a = c * old - s * *b;
+    *b = s * old + c * *b;
+}
+
+/* All three axes through one general rotation, against one turn after the other. */
+static void test_rotation(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(
+        &s, 25, 25,
+        "    polygon: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n    rotate: [30, -40, 155]\n    stretch: [1, 2, 3]");
+    for (int i = 0; i < 3; i++) {
+        double p[3] = {i == 0 ? 1.0 : 0.0, i == 1 ? 2.0 : 0.0, i == 2 ? 3.0 : 0.0};
+        turn(&p[1], &p[2], 30.0);
+        turn(&p[2], &p[0], -40.0);
+        turn(&p[0], &p[1], 155.0);
+        check_vec3(s.light[0].polygon[0].vertex[i], p[0], p[1], p[2], 1e-12);
+    }
+    rl_scene_clear(&s);
+}
+
 /* A stretched sphere is an ellipsoid, and its normals are known: (x/a^2, y/b^2, z/c^2). */
 static void test_stretched_normals(void **state)
 {
@@ -377,6 +403,7 @@ int main(void)
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_render_block),
         cmocka_unit_test(test_placement),
+        cmocka_unit_test(test_rotation),
         cmocka_unit_test(test_stretched_normals),
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_mesh_light),
