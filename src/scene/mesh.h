@@ -1,4 +1,5 @@
-/* Triangle meshes: positions and unit normals per vertex, three indices per triangle, counter-clockwise from outside. */
+/* Triangle meshes: positions and unit normals per vertex, three indices per triangle, counter-clockwise
+ * from outside. */
 #ifndef RL_SCENE_MESH_H
 #define RL_SCENE_MESH_H
 
@@ -24,10 +25,11 @@ int rl_mesh_allocate(struct rl_mesh *mesh, size_t n_vertices, size_t n_triangles
 /* Box of all positions; the centre is the box's, the radius reaches the farthest vertex from it. */
 void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_vec3 *centre, double *radius);
 
-/* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms applied. Normals
- * missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no triangles, non-finite vertices,
- * truncated, or a file that assimp crashes on or does not finish: it runs in a process of its own. *hash, where not NULL, takes in
- * the bytes of every file that was read (a glTF file names others). (mesh_file.c) */
+/* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms
+ * applied. Normals missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no
+ * triangles, non-finite vertices, truncated, or a file that assimp crashes on or does not finish: it runs
+ * in a process of its own. *hash, where not NULL, takes in the bytes of every file that was read (a glTF
+ * file names others). (mesh_file.c) */
 int rl_mesh_load(struct rl_mesh *mesh, uint64_t *hash, const char *path, struct rl_error *error);
 
 #endif

@@ -1,7 +1,8 @@
 /* Loads mesh files in a process of their own.
  *
- * assimp 5.2.4 ends the whole process on some malformed files (failed assertions, invalid memory) and never returns from others.
- * A mesh is therefore imported by a child, which sends it through a pipe: one struct reply, then the three arrays. */
+ * assimp 5.2.4 ends the whole process on some malformed files (failed assertions, invalid memory) and
+ * never returns from others. A mesh is therefore imported by a child, which sends it through a pipe: one
+ * struct reply, then the three arrays. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -49,8 +50,8 @@ static void send_bytes(int fd, const void *data, size_t size)
     }
 }
 
-/* Some files announce more vertices than any machine holds. A process that has mapped a terabyte already (a sanitizer's shadow)
- * gets no limit. */
+/* Some files announce more vertices than any machine holds. A process that has mapped a terabyte already
+ * (a sanitizer's shadow) gets no limit. */
 static void limit_memory(size_t file_size)
 {
     char text[64] = "";

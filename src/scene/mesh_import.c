@@ -1,4 +1,5 @@
-/* From an assimp scene to one mesh. assimp reads through the small file system below, which hashes what it hands out. */
+/* From an assimp scene to one mesh. assimp reads through the small file system below, which hashes what it
+ * hands out. */
 #include "scene/mesh_import.h"
 
 #include <assimp/cfileio.h>
@@ -266,7 +267,8 @@ static rl_vec3 position(const struct rl_mesh *mesh, size_t triangle, int i)
     return v3(p[0], p[1], p[2]);
 }
 
-/* Normals that the file lacks, or has as 0 or nan, become the mean of the faces round the vertex, by area; +y where there is none. */
+/* Normals that the file lacks, or has as 0 or nan, become the mean of the faces round the vertex, by area;
+ * +y where there is none. */
 static int complete_normals(struct rl_mesh *mesh, struct rl_error *error)
 {
     rl_vec3 *sum = calloc(mesh->n_vertices, sizeof *sum);

@@ -1,4 +1,5 @@
-/* Derives a plan from a scene: which effects are in use, and from that programs, textures and passes (see plan.h). */
+/* Derives a plan from a scene: which effects are in use, and from that programs, textures and passes (see
+ * plan.h). */
 #include "scene/plan.h"
 
 #include <math.h>
@@ -107,13 +108,14 @@ static int pattern(struct rl_plan *plan, const struct rl_plan_material *m)
 
 /* The margin that `auto` stands for.
  *
- * Mirroring in a microfacet normal H instead of N turns the mirror direction R by twice the angle between them: L = rotation of R by
- * 2 delta. So a pixel whose R keeps more than 2 delta_0 away from a light sees it through normals with |delta| > delta_0 alone, and
- * loses at most 2 (1 - U(delta_0)) of the light's radiance with its highlight: 2 % for the delta_0 of U = 0.99, mostly far less.
+ * Mirroring in a microfacet normal H instead of N turns the mirror direction R by twice the angle between
+ * them: L = rotation of R by 2 delta. So a pixel whose R keeps more than 2 delta_0 away from a light sees
+ * it through normals with |delta| > delta_0 alone, and loses at most 2 (1 - U(delta_0)) of the light's
+ * radiance with its highlight: 2 % for the delta_0 of U = 0.99, mostly far less.
  *
- * From distance d the light's sphere has the angular radius asin(r/d), and one of radius d sin(asin(r/d) + 2 delta_0) has 2 delta_0
- * more. That grows with d: the object's farthest point decides. INFINITY where the angle comes to a right one: a sphere
- * round the whole object is not worth its pass. */
+ * From distance d the light's sphere has the angular radius asin(r/d), and one of radius d sin(asin(r/d) +
+ * 2 delta_0) has 2 delta_0 more. That grows with d: the object's farthest point decides. INFINITY where
+ * the angle comes to a right one: a sphere round the whole object is not worth its pass. */
 static double auto_margin(const struct rl_scene *scene, const struct rl_plan_material *m)
 {
     struct rl_ellipsoid e = rl_ellipsoid_make(m->rr);
@@ -190,7 +192,8 @@ static void plan_passes(struct rl_plan *plan, const struct rl_scene *scene, stru
     m->highlight_program = highlight_program(plan, m);
 }
 
-/* Fills the materials that some object wears; false if some of their methods run on the CPU alone and others on the GPU. */
+/* Fills the materials that some object wears; false if some of their methods run on the CPU alone and
+ * others on the GPU. */
 static bool plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
 {
     for (size_t i = 0; i < scene->n_materials; i++) {

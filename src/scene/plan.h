@@ -1,6 +1,6 @@
-/* The plan: from a scene and settings, which effects are in use and, from that, the passes, textures and shader modules that
- * they need, in a fixed order. What the scene does not ask for is not in the plan, and nothing outside the plan is allocated,
- * compiled or drawn. `roughlight plan` prints it.
+/* The plan: from a scene and settings, which effects are in use and, from that, the passes, textures and
+ * shader modules that they need, in a fixed order. What the scene does not ask for is not in the plan, and
+ * nothing outside the plan is allocated, compiled or drawn. `roughlight plan` prints it.
  */
 #ifndef RL_SCENE_PLAN_H
 #define RL_SCENE_PLAN_H
@@ -21,7 +21,8 @@ struct rl_plan_program {
     const char *pass; /* "environment", "surface", "sphere", "highlight" */
     int samples;      /* of the highlight pass, a constant of its shader; else 0 */
     size_t n_modules;
-    /* The first is the vertex shader, the rest together the fragment shader; the last one of them holds main(). */
+    /* The first is the vertex shader, the rest together the fragment shader; the last one of them holds
+     * main(). */
     char module[RL_PLAN_MODULES_MAX][RL_PLAN_MODULE_NAME];
 };
 

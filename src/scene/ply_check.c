@@ -1,7 +1,7 @@
 /* Reads a PLY file (Turk 1994) far enough to tell whether it is whole (see mesh_import.h).
  *
- * After the header come, element by element, rows of the properties it announced: in ASCII one row a line, in binary without a
- * gap. A list property is a count and that many entries. */
+ * After the header come, element by element, rows of the properties it announced: in ASCII one row a line,
+ * in binary without a gap. A list property is a count and that many entries. */
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -58,7 +58,8 @@ static int fail_header(const struct ply *p, const char *found, const char *expec
                    expected);
 }
 
-/* The next line without its end, cut into words at blanks; *n is 0 for an empty one. False at the end of the file. */
+/* The next line without its end, cut into words at blanks; *n is 0 for an empty one. False at the end of
+ * the file. */
 static bool next_line(struct ply *p, char line[256], char *word[WORDS_MAX], size_t *n)
 {
     const char *newline = memchr(p->at, '\n', (size_t)(p->end - p->at));

@@ -1,5 +1,5 @@
-/* Checks a polygon and tiles it with triangles by ear clipping (Meisters 1975): an ear is a convex corner whose triangle
- * holds no other vertex, and every simple polygon of more than three vertices has one.
+/* Checks a polygon and tiles it with triangles by ear clipping (Meisters 1975): an ear is a convex corner
+ * whose triangle holds no other vertex, and every simple polygon of more than three vertices has one.
  *
  * All of it works on the polygon laid flat along Newell's normal. */
 #include <stdbool.h>
@@ -110,8 +110,8 @@ static int check_simple(const struct flat *f, struct rl_error *error)
     return RL_OK;
 }
 
-/* How good an ear the corner between `before` and `after` is: its height over its longest edge relative to that edge, or -1 if it
- * is none. Taking the best ear avoids slivers. */
+/* How good an ear the corner between `before` and `after` is: its height over its longest edge relative to
+ * that edge, or -1 if it is none. Taking the best ear avoids slivers. */
 static double ear_quality(const struct flat *f, const int *left, int n_left, int corner)
 {
     int before = left[(corner + n_left - 1) % n_left], at = left[corner], after = left[(corner + 1) % n_left];

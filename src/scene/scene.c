@@ -1,4 +1,5 @@
-/* Loads a scene file: film, materials and the render block here, the rest in the files beside (see scene_build.h). */
+/* Loads a scene file: film, materials and the render block here, the rest in the files beside (see
+ * scene_build.h). */
 #include "scene/scene.h"
 
 #include <stdio.h>
@@ -52,7 +53,8 @@ static int build_colour(const struct rl_scene_builder *b, double colour[3], cons
     return rl_build_triple(b, path, colour, 0.0, high);
 }
 
-/* `highlight` and `rr` belong together: without rr there is no highlight unless one is named, and then rr is missed. */
+/* `highlight` and `rr` belong together: without rr there is no highlight unless one is named, and then rr
+ * is missed. */
 static int build_highlight(const struct rl_scene_builder *b, struct rl_material *material,
                            const struct rl_raw_material *raw, const char *key)
 {

@@ -1,10 +1,13 @@
 /* A scene as loaded: camera, film, objects in world space, materials and polygon lights.
  *
  *     struct rl_scene scene;
- *     if (rl_scene_load(&scene, "studies/scenes/teapot-star.yaml", &error) == RL_OK) { ...; rl_scene_clear(&scene); }
+ *     if (rl_scene_load(&scene, "studies/scenes/teapot-star.yaml", &error) == RL_OK) {
+ *         ...
+ *         rl_scene_clear(&scene);
+ *     }
  *
- * Lengths are in one unit of the scene's choice, angles in files in degrees, radiance in W/(m^2 sr) or any other unit, linear
- * RGB. World axes are right-handed.
+ * Lengths are in one unit of the scene's choice, angles in files in degrees, radiance in W/(m^2 sr) or any
+ * other unit, linear RGB. World axes are right-handed. studies/scenes/README.md describes the format.
  */
 #ifndef RL_SCENE_SCENE_H
 #define RL_SCENE_SCENE_H
@@ -68,17 +71,21 @@ struct rl_scene {
     struct rl_settings settings; /* RL_SETTINGS_DEFAULT with what the file's `render` block says */
 };
 
+/* RL_ERR_INPUT: one line "FILE:LINE: KEY: found ..., expected ...", or "FILE: ..." where the file cannot
+ * be read; the scene is empty then. RL_ERR_CANCELLED: interrupted while a mesh was read. */
 int rl_scene_load(struct rl_scene *scene, const char *path, struct rl_error *error);
 void rl_scene_clear(struct rl_scene *scene);
 
-/* Fills a polygon from n vertices: checks 3 <= n <= 64, finite, planar to 1e-6 of its size, simple, area > 0; triangulates it. */
+/* Fills a polygon from n vertices: checks 3 <= n <= 64, finite, planar to 1e-6 of its size, simple, area >
+ * 0; triangulates it. */
 int rl_polygon_make(struct rl_polygon *polygon, const rl_vec3 *vertex, int n, struct rl_error *error);
 void rl_polygon_clear(struct rl_polygon *polygon);
 
 /* The light as effects without shape see it. */
 struct rl_point_light rl_light_as_point(const struct rl_light *light);
 
-/* World direction (unit) through the centre of pixel (x, y) of a width x height image; y = 0 is the top row. */
+/* World direction (unit) through the centre of pixel (x, y) of a width x height image; y = 0 is the top
+ * row. */
 rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int x, int y);
 
 /* Column-major 4x4 for OpenGL: clip = projection x view x world. */

@@ -12,7 +12,8 @@ struct rl_scene_builder {
     struct rl_error *error;
 };
 
-/* Coordinates and lengths of a scene lie within +-RL_LENGTH_MAX, so that single precision and its squares hold them. */
+/* Coordinates and lengths of a scene lie within +-RL_LENGTH_MAX, so that single precision and its squares
+ * hold them. */
 #define RL_LENGTH_MAX 1e9
 /* Of radiance and of colours that may be above 1. */
 #define RL_COLOUR_MAX 1e9
@@ -33,8 +34,8 @@ int rl_build_objects(const struct rl_scene_builder *b);
 /* scene_lights.c */
 int rl_build_lights(const struct rl_scene_builder *b);
 
-/* placement.c: a vertex goes to linear p + translate, a normal to cofactor n (the inverse transpose, times the determinant, which
- * is positive). */
+/* placement.c: a vertex goes to linear p + translate, a normal to cofactor n (the inverse transpose, times
+ * the determinant, which is positive). */
 struct rl_placement {
     double linear[3][3], cofactor[3][3];
     rl_vec3 translate;
@@ -47,7 +48,8 @@ void rl_place_mesh(const struct rl_placement *placement, struct rl_mesh *mesh);
 /* Whether what was placed lies within RL_LENGTH_MAX of the origin. */
 int rl_build_extent(const struct rl_scene_builder *b, const char *key, rl_vec3 centre, double radius);
 
-/* Loads the mesh that the scene file names at `key`, relative to its own folder, and takes it into the scene's hash. */
+/* Loads the mesh that the scene file names at `key`, relative to its own folder, and takes it into the
+ * scene's hash. */
 int rl_build_mesh_file(const struct rl_scene_builder *b, struct rl_mesh *mesh, const char *file,
                        const char *key);
 

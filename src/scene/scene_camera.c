@@ -74,8 +74,8 @@ rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int
 
 void rl_camera_matrix(const struct rl_camera *camera, int width, int height, double matrix[16])
 {
-    /* Rows of clip = projection x view: x along right, y along up, z and w along forward. OpenGL's depth is -1 at the near plane and
-     * 1 at the far one. */
+    /* Rows of clip = projection x view: x along right, y along up, z and w along forward. OpenGL's depth
+     * is -1 at the near plane and 1 at the far one. */
     double scale = 1.0 / tan(0.5 * camera->fov_y);
     double n = camera->near_plane, f = camera->far_plane;
     double depth_scale = (f + n) / (f - n), depth_offset = -2.0 * f * n / (f - n);

@@ -1,4 +1,5 @@
-/* The lights of a scene file: polygons, or the triangles of a mesh, with their centroid and bounding sphere. */
+/* The lights of a scene file: polygons, or the triangles of a mesh, with their centroid and bounding
+ * sphere. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,8 +109,9 @@ static rl_vec3 farthest(const struct rl_light *light, rl_vec3 from, double *dist
     return best;
 }
 
-/* Badoiu and Clarkson 2003: steps of 1/(i + 1) towards the farthest point come within 1/sqrt(n) of the smallest sphere's centre
- * after n; in practice far closer. The best of all steps is kept, and it encloses every vertex whatever it is. */
+/* Badoiu and Clarkson 2003: steps of 1/(i + 1) towards the farthest point come within 1/sqrt(n) of the
+ * smallest sphere's centre after n; in practice far closer. The best of all steps is kept, and it encloses
+ * every vertex whatever it is. */
 static void enclose(struct rl_light *light)
 {
     /* Big meshes get fewer steps: the sphere is to be tight, not the tightest. */

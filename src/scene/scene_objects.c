@@ -5,7 +5,7 @@
 
 #include "scene/scene_build.h"
 
-/* Fine enough that interpolated normals are within 1e-3 of the shape's, and the outline looks round at 640 x 480. */
+/* Fine enough for outlines to look round at 640 x 480. */
 static const int default_tessellation[] = {
     [RL_SHAPE_SPHERE] = 32, [RL_SHAPE_TORUS] = 32,  [RL_SHAPE_PLANE] = 1,
     [RL_SHAPE_DISC] = 32,   [RL_SHAPE_TEAPOT] = 16,

@@ -68,7 +68,8 @@ static const cyaml_schema_field_t object_fields[] = {
 
 static const cyaml_schema_field_t light_fields[] = {
     CYAML_FIELD_STRING_PTR("name", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_light, name, 1, TEXT_MAX),
-    /* Longer lists than a polygon may have are let through here: the polygon's own check says what is wrong. */
+    /* Longer lists than a polygon may have are let through here: the polygon's own check says what is
+     * wrong. */
     CYAML_FIELD_SEQUENCE_COUNT("polygon", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_light, polygon,
                                n_polygon, &triple, 0, POLYGON_LIST_MAX),
     CYAML_FIELD_STRING_PTR("mesh", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_light, mesh, 1,

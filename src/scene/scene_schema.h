@@ -1,5 +1,5 @@
-/* A scene file as libcyaml fills it, value by value as written: what is optional and absent is NULL. scene_build.c turns it into a
- * struct rl_scene. The tables in scene_schema.c are the format's definition. */
+/* A scene file as libcyaml fills it, value by value as written: what is optional and absent is NULL.
+ * scene_build.c turns it into a struct rl_scene. The tables in scene_schema.c are the format's definition. */
 #ifndef RL_SCENE_SCENE_SCHEMA_H
 #define RL_SCENE_SCENE_SCHEMA_H
 
@@ -77,7 +77,8 @@ struct rl_raw_scene {
     struct rl_raw_render *render;
 };
 
-/* Parses, checks against the schema and loads. `tree` stays for messages about meaning; clear both, also after an error. */
+/* Parses, checks against the schema and loads. `tree` stays for messages about meaning; clear both, also
+ * after an error. */
 int rl_raw_scene_load(struct rl_raw_scene **raw, struct rl_yaml_tree *tree, const char *path,
                       const char *text, size_t size, struct rl_error *error);
 void rl_raw_scene_free(struct rl_raw_scene *raw);

@@ -1,4 +1,5 @@
-/* How to render: the knobs that studies turn. A scene file may set defaults; options of the command line win. */
+/* How to render: the knobs that studies turn. A scene file may set defaults; options of the command line
+ * win. */
 #ifndef RL_SCENE_SETTINGS_H
 #define RL_SCENE_SETTINGS_H
 
@@ -9,8 +10,8 @@
 #include "base/error.h"
 #include "model/frame.h"
 
-/* Texels of the environment map. In the unsigned normalised ones (8, 10 and 16 bits) radiance is divided by the brightest
- * light's, so that nothing clips. */
+/* Texels of the environment map. In the unsigned normalised ones (8, 10 and 16 bits) radiance is divided
+ * by the brightest light's, so that nothing clips. */
 enum rl_texel_format {
     RL_TEXEL_RGBA8,
     RL_TEXEL_RGB10A2,
@@ -30,8 +31,8 @@ enum { RL_FILM_MAX = 16384 }; /* pixels along either side */
 
 enum rl_margin { RL_MARGIN_OFF, RL_MARGIN_AUTO, RL_MARGIN_VALUE };
 
-/* Where the reference sees the lights from: each pixel's own point, or its object's centre as an environment map does. The
- * difference is the map's parallax error. */
+/* Where the reference sees the lights from: each pixel's own point, or its object's centre as an
+ * environment map does. The difference is the map's parallax error. */
 enum rl_light_from { RL_LIGHT_FROM_POINT, RL_LIGHT_FROM_OBJECT };
 
 struct rl_settings {
@@ -53,7 +54,8 @@ struct rl_settings {
     enum rl_light_from light_from; /* reference */
 };
 
-/* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame; seed 1; tolerance 1e-5. */
+/* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame; seed 1;
+ * tolerance 1e-5. */
 #define RL_SETTINGS_DEFAULT                                                                                  \
     ((struct rl_settings){.normal_bits = 8,                                                                  \
                           .normal_size = 512,                                                                \
@@ -65,13 +67,15 @@ struct rl_settings {
                           .frame = RL_FRAME_ORTHONORMAL,                                                     \
                           .tolerance = 1e-5})
 
-/* Checks every range; the message names the option in its command-line spelling, what was found and what was expected. */
+/* Checks every range; the message names the option in its command-line spelling, what was found and what
+ * was expected. */
 int rl_settings_check(const struct rl_settings *settings, struct rl_error *error);
-/* The same for scene files, which name keys in their own way: *key is "normal-bits" and the like, the message is without it. */
+/* The same for scene files, which name keys in their own way: *key is "normal-bits" and the like, the
+ * message is without it. */
 int rl_settings_check_key(const struct rl_settings *settings, const char **key, struct rl_error *error);
 
-/* Values as the command line and scene files spell them; RL_ERR_INPUT says what would have been right. `what` names the
- * argument in the message, e.g. "--env-format", or is NULL. */
+/* Values as the command line and scene files spell them; RL_ERR_INPUT says what would have been right.
+ * `what` names the argument in the message, e.g. "--env-format", or is NULL. */
 int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what,
                           struct rl_error *error);
 int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct rl_error *error);

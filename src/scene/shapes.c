@@ -1,4 +1,5 @@
-/* Builds the shapes of shapes.h. Vertices are shared wherever the normal is the same, so that sphere and torus are closed. */
+/* Builds the shapes of shapes.h. Vertices are shared wherever the normal is the same, so that sphere and
+ * torus are closed. */
 #include "scene/shapes.h"
 
 #include "scene/teapot.h"

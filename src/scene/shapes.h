@@ -2,8 +2,8 @@
  *
  *     sphere   radius 1                                    torus  radii 1 (ring) and `minor`, around y
  *     plane    square [-1, 1]^2 at y = 0, facing +y        disc   radius 1 at y = 0, facing +y
- *     teapot   Newell's 28 Bezier patches, as published without a bottom, standing on y = 0: 0.85 high, the body 1.14 across,
- *              1.83 from the handle (-x) to the spout (+x)
+ *     teapot   Newell's 28 Bezier patches, as published without a bottom, standing on y = 0: 0.85 high, the
+ *              body 1.14 across, 1.83 from the handle (-x) to the spout (+x)
  */
 #ifndef RL_SCENE_SHAPES_H
 #define RL_SCENE_SHAPES_H
@@ -21,9 +21,9 @@ enum rl_shape {
 
 enum { RL_TESSELLATION_MIN = 1, RL_TESSELLATION_MAX = 512 };
 
-/* `tessellation`: segments along a quarter of the sphere's and the torus's circles, along the plane's edge and a quarter of
- * the disc's rim, and along each edge of a teapot patch. `minor`, in (0, 1), is the torus's only. RL_ERR_INPUT: out of range, or
- * RL_SHAPE_MESH, which has no form of its own. */
+/* `tessellation`: segments along a quarter of the sphere's and the torus's circles, along the plane's edge
+ * and a quarter of the disc's rim, and along each edge of a teapot patch. `minor`, in (0, 1), is the
+ * torus's only. RL_ERR_INPUT: out of range, or RL_SHAPE_MESH, which has no form of its own. */
 int rl_shape_build(struct rl_mesh *mesh, enum rl_shape shape, int tessellation, double minor,
                    struct rl_error *error);
 

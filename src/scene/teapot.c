@@ -1,7 +1,7 @@
 /* Evaluates and tessellates the teapot's bicubic Bezier patches.
  *
- * P(u, v) = sum b_i(v) b_j(u) p_ij with Bernstein's cubics b. The data's rows and columns are such that dP/dv x dP/du points
- * outwards on every patch. */
+ * P(u, v) = sum b_i(v) b_j(u) p_ij with Bernstein's cubics b. The data's rows and columns are such that
+ * dP/dv x dP/du points outwards on every patch. */
 #include "scene/teapot.h"
 
 #include <stdbool.h>
@@ -35,8 +35,8 @@ void rl_teapot_evaluate(int patch, double u, double v, rl_vec3 *position, rl_vec
     *position = combine(patch, bu.b, bv.b);
     rl_vec3 along_u = combine(patch, bu.d, bv.b);
     rl_vec3 along_v = combine(patch, bu.b, bv.d);
-    /* On an edge v = 0 that is one point, dP/du = 0 and close by it is v d2P/dudv: the same direction. Elsewhere in the data no
-     * derivative comes below 0.01. */
+    /* On an edge v = 0 that is one point, dP/du = 0 and close by it is v d2P/dudv: the same direction.
+     * Elsewhere in the data no derivative comes below 0.01. */
     if (v3_length(along_u) < 1e-9)
         along_u = combine(patch, bu.d, bv.d);
     *normal = v3_normalize(v3_cross(along_v, along_u));

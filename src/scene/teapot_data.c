@@ -1,8 +1,9 @@
-/* Martin Newell's teapot (1975): 28 bicubic Bezier patches over 269 control points, y up. Published data, by way of the list
- * of control points that P. Schneider circulated in 1990. It has no bottom: Newell's own data had none.
+/* Martin Newell's teapot (1975): 28 bicubic Bezier patches over 269 control points, y up. Published data,
+ * by way of the list of control points that P. Schneider circulated in 1990. It has no bottom: Newell's
+ * own data had none.
  *
- * One change: the list puts the points 204, 205, 215 and 222, at the lid's tip, 0.0006 beside it, so that the edge of a patch
- * there is a loop, with the surface folded over inside it. Here they lie on the tip. */
+ * One change: the list puts the points 204, 205, 215 and 222, at the lid's tip, 0.0006 beside it, so that
+ * the edge of a patch there is a loop, with the surface folded over inside it. Here they lie on the tip. */
 #include "scene/teapot.h"
 
 const double rl_teapot_point[RL_TEAPOT_POINTS][3] = {

@@ -170,7 +170,8 @@ static int check_mapping(const struct check *c, const struct rl_yaml_node *node,
         const struct rl_yaml_node *child = &node->child[i];
         const cyaml_schema_field_t *field = find_field(fields, child->key);
         if (!field) {
-            /* The key itself may be anything: it is quoted, and the place is the mapping's with the key's line. */
+            /* The key itself may be anything: it is quoted, and the place is the mapping's with the key's
+             * line. */
             struct rl_yaml_node word = {.kind = RL_YAML_SCALAR, .text = child->key};
             char quoted[128];
             rl_yaml_describe(quoted, sizeof quoted, &word);

@@ -59,8 +59,8 @@ static inline void put_file(const char *path, const void *data, size_t size)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Writes the sound scene to `path` with `text` in place of lines first..last (from 1); last < first: nothing replaced, `text`
- * (if not NULL) after the end. */
+/* Writes the sound scene to `path` with `text` in place of lines first..last (from 1); last < first:
+ * nothing replaced, `text` (if not NULL) after the end. */
 static inline void write_scene(const char *path, int first, int last, const char *text)
 {
     static char document[1 << 16];

@@ -1,4 +1,5 @@
-/* Meshes through assimp: joined, placed by their nodes, with normals; and files that are none, which neither end nor stop us. */
+/* Meshes through assimp: joined, placed by their nodes, with normals; and files that are none, which
+ * neither end nor stop us. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -64,7 +65,8 @@ static void check_sound(const struct rl_mesh *mesh)
             assert_true(mesh->triangle[t][i] < mesh->n_vertices);
 }
 
-/* A roof of two faces that meet at a right angle along z: the ridge's vertices lie between, whatever splits assimp might like. */
+/* A roof of two faces that meet at a right angle along z: the ridge's vertices lie between, whatever
+ * splits assimp might like. */
 static void test_smooth_normals(void **state)
 {
     (void)state;
@@ -100,7 +102,8 @@ static void test_given_normals(void **state)
     rl_mesh_clear(&mesh);
 }
 
-/* One triangle in a glTF file under two nodes, one of which mirrors: its triangle must still face the way of its normal. */
+/* One triangle in a glTF file under two nodes, one of which mirrors: its triangle must still face the way
+ * of its normal. */
 static void test_node_transforms(void **state)
 {
     (void)state;
@@ -222,8 +225,8 @@ static void test_models(void **state)
     }
 }
 
-/* Each of assimp's files that are none: an error or a sound mesh, soon. OutOfMemory.off is left to the memory limit, which sanitizers
- * do not allow; they let it run into the time limit. */
+/* Each of assimp's files that are none: an error or a sound mesh, soon. OutOfMemory.off is left to the
+ * memory limit, which sanitizers do not allow; they let it run into the time limit. */
 static void test_invalid_models(void **state)
 {
     (void)state;

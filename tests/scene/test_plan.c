@@ -30,7 +30,8 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* The sound scene with some lines replaced: `shiny` (random) on a ball, `matt` (no highlight) on the ground, two lights. */
+/* The sound scene with some lines replaced: `shiny` (random) on a ball, `matt` (no highlight) on the
+ * ground, two lights. */
 static void load(int first, int last, const char *text)
 {
     write_scene(path, first, last, text);
@@ -131,7 +132,8 @@ static void test_regular(void **state)
     clear();
 }
 
-/* `plain` takes no samples: it is part of the surface program, and there is neither environment nor texture. */
+/* `plain` takes no samples: it is part of the surface program, and there is neither environment nor
+ * texture. */
 static void test_plain(void **state)
 {
     (void)state;
@@ -195,7 +197,8 @@ static void test_left_out(void **state)
     clear();
 }
 
-/* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these, too. */
+/* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these,
+ * too. */
 static void test_sharing(void **state)
 {
     (void)state;
@@ -233,8 +236,8 @@ static void test_margin(void **state)
     clear();
 }
 
-/* `auto`: from every point of the object, each direction within 2 delta(U = 0.99) of a direction to the light meets the sphere; and
- * a rough material whose lobe is wider than that is worth has none. */
+/* `auto`: from every point of the object, each direction within 2 delta(U = 0.99) of a direction to the
+ * light meets the sphere; and a rough material whose lobe is wider than that is worth has none. */
 static void test_auto_margin(void **state)
 {
     (void)state;

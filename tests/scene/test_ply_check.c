@@ -83,7 +83,8 @@ static void test_accepted(void **state)
         HEADER("ascii") "\n0 0 0\r\n 1 0 0 \n1\t1 0\n\n0 1e0 0\n3 0 1 2\n4 0 1 2 3",
         HEADER("ascii") "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\nwhat follows is nobody's\n",
         "ply\r\nformat ascii 1.0\r\nelement vertex 0\r\nend_header\r\n",
-        "ply\nformat ascii 1.0\nobj_info by hand\nelement vertex 99999999999\nend_header\n", /* rows of nothing */
+        /* Rows of nothing. */
+        "ply\nformat ascii 1.0\nobj_info by hand\nelement vertex 99999999999\nend_header\n",
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         check_ok(check_copy(cases[i], strlen(cases[i])), &error);

@@ -70,8 +70,8 @@ static double triangle_area(const struct rl_polygon *p, int t, double *signed_ar
     return 0.5 * v3_length(cross);
 }
 
-/* n - 2 triangles, each turning with the polygon, whose areas sum to the polygon's: with the sum of signed areas alone, overlaps and
- * gaps could cancel. */
+/* n - 2 triangles, each turning with the polygon, whose areas sum to the polygon's: with the sum of signed
+ * areas alone, overlaps and gaps could cancel. */
 static void check_tiles(const struct rl_polygon *p, double area, const char *name)
 {
     double sum = 0.0, signed_sum = 0.0;

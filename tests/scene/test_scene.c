@@ -231,7 +231,8 @@ static void write_text(const char *name, const char *text)
 static const char tetrahedron[] = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\n"
                                   "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 1 2\n";
 
-/* As a light a tetrahedron of edge sqrt(8) has four triangles of area 2 sqrt(3); the fifth, without area, is dropped. */
+/* As a light a tetrahedron of edge sqrt(8) has four triangles of area 2 sqrt(3); the fifth, without area,
+ * is dropped. */
 static void test_mesh_light(void **state)
 {
     (void)state;
@@ -364,8 +365,8 @@ static void test_scenes(void **state)
     }
 }
 
-/* The angle between the mirror direction at the body's best point (patches 4 to 11) for this vertex of the light, and that vertex.
- * The teapot stands as it is made. */
+/* The angle between the mirror direction at the body's best point (patches 4 to 11) for this vertex of the
+ * light, and that vertex. The teapot stands as it is made. */
 static double closest_mirror(const struct rl_scene *s, rl_vec3 vertex)
 {
     enum { STEPS = 100 };
@@ -382,7 +383,8 @@ static double closest_mirror(const struct rl_scene *s, rl_vec3 vertex)
     return closest;
 }
 
-/* Every vertex of the star has its image on the front of the body, to the grid's 1 degree: the whole star is to be seen there. */
+/* Every vertex of the star has its image on the front of the body, to the grid's 1 degree: the whole star
+ * is to be seen there. */
 static void test_star_is_in_view(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Every way a scene file can be wrong that the format knows of: one line that names file, line, key, what was found and what was
- * expected. */
+/* Every way a scene file can be wrong that the format knows of: one line that names file, line, key, what
+ * was found and what was expected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

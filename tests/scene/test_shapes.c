@@ -69,7 +69,8 @@ static struct measures measure(const struct rl_mesh *mesh)
     return m;
 }
 
-/* Areas and volumes of the smooth shapes; tessellation n comes within a few times (pi/4n)^2 of them, from below. */
+/* Areas and volumes of the smooth shapes; tessellation n comes within a few times (pi/4n)^2 of them, from
+ * below. */
 static void test_sizes(void **state)
 {
     (void)state;

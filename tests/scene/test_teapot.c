@@ -1,5 +1,5 @@
-/* The teapot's normals: against finite differences, at the lid's tip, outwards on every patch, and the same on both sides of the
- * seams where the pot is smooth. */
+/* The teapot's normals: against finite differences, at the lid's tip, outwards on every patch, and the
+ * same on both sides of the seams where the pot is smooth. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -68,8 +68,8 @@ static void test_tip(void **state)
     assert_int_equal(at_tip, 4 * 9);
 }
 
-/* Outwards means away from the axis of the part: the pot's own is y; those of handle and spout run in the plane z = 0, so that at
- * least z tells. */
+/* Outwards means away from the axis of the part: the pot's own is y; those of handle and spout run in the
+ * plane z = 0, so that at least z tells. */
 static void test_outwards(void **state)
 {
     (void)state;
