@@ -1,0 +1,139 @@
+/* The camera of a scene: rays and matrix agree, and the planes enclose the objects. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "scene/fixture.h"
+
+static struct temporary folder;
+static struct rl_error error;
+static char path[PATH_MAX];
+
+static int set_up(void **state)
+{
+    (void)state;
+    temporary_make(&folder);
+    temporary_path(&folder, path, "scene.yaml");
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    temporary_remove(&folder);
+    return 0;
+}
+
+static void load_with(struct rl_scene *scene, int first, int last, const char *text)
+{
+    write_scene(path, first, last, text);
+    check_ok(rl_scene_load(scene, path, &error), &error);
+}
+
+static void check_vec3(rl_vec3 actual, double x, double y, double z, double tolerance)
+{
+    check_near(actual.x, x, tolerance);
+    check_near(actual.y, y, tolerance);
+    check_near(actual.z, z, tolerance);
+}
+
+/* clip = matrix (p, 1) */
+static void transform(const double m[16], rl_vec3 p, double clip[4])
+{
+    for (int r = 0; r < 4; r++)
+        clip[r] = m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r];
+}
+
+static void test_camera(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 0, -1, NULL);
+    const struct rl_camera *c = &s.camera;
+    check_near(v3_dot(c->right, c->up), 0.0, 1e-15);
+    check_near(v3_dot(v3_cross(c->right, c->up), c->forward), -1.0, 1e-15);
+    check_vec3(c->right, 1.0, 0.0, 0.0, 1e-15);
+    double m[16], clip[4];
+    rl_camera_matrix(c, s.width, s.height, m);
+    /* The ray through a pixel's centre meets the same pixel through the matrix; y = 0 is the top row. */
+    static const int pixels[][2] = {{0, 0}, {63, 47}, {10, 40}, {31, 23}};
+    for (size_t i = 0; i < 4; i++) {
+        rl_vec3 ray = rl_camera_ray(c, s.width, s.height, pixels[i][0], pixels[i][1]);
+        check_near(v3_length(ray), 1.0, 1e-15);
+        transform(m, v3_madd(c->position, 3.7, ray), clip);
+        check_near((clip[0] / clip[3] + 1.0) / 2.0 * s.width, pixels[i][0] + 0.5, 1e-9);
+        check_near((1.0 - clip[1] / clip[3]) / 2.0 * s.height, pixels[i][1] + 0.5, 1e-9);
+    }
+    transform(m, v3_madd(c->position, c->near_plane, c->forward), clip);
+    check_near(clip[2] / clip[3], -1.0, 1e-12);
+    transform(m, v3_madd(c->position, c->far_plane, c->forward), clip);
+    check_near(clip[2] / clip[3], 1.0, 1e-12);
+    /* The top edge of the film is half the field of view up. */
+    rl_vec3 top = v3_normalize(v3_madd(c->forward, tan(0.5 * c->fov_y), c->up));
+    transform(m, v3_add(c->position, top), clip);
+    check_near(clip[1] / clip[3], 1.0, 1e-12);
+    rl_scene_clear(&s);
+}
+
+static void check_planes(const struct rl_scene *s)
+{
+    const struct rl_camera *c = &s->camera;
+    assert_true(c->near_plane > 0.0 && c->near_plane >= 0.99e-3 * c->far_plane &&
+                c->far_plane > c->near_plane);
+    for (size_t i = 0; i < s->n_objects; i++)
+        for (size_t k = 0; k < s->object[i].mesh.n_vertices; k++) {
+            const float *p = s->object[i].mesh.position[k];
+            double depth = v3_dot(v3_sub(v3(p[0], p[1], p[2]), c->position), c->forward);
+            assert_true(depth < c->far_plane);
+            assert_true(depth > c->near_plane || c->near_plane <= 1.01e-3 * c->far_plane);
+        }
+}
+
+static void test_planes(void **state)
+{
+    (void)state;
+    static const char *const positions[] = {
+        "  position: [0, 1, 5]",
+        "  position: [0, 0.1, 0.2]", /* inside the ball */
+        "  position: [0, 1, -5000]",
+        "  position: [0, 0.5, 1.001]",
+    };
+    for (size_t i = 0; i < sizeof positions / sizeof positions[0]; i++) {
+        struct rl_scene s;
+        load_with(&s, 3, 3, positions[i]);
+        check_planes(&s);
+        rl_scene_clear(&s);
+    }
+    struct rl_scene s;
+    load_with(&s, 4, 4, "  target: [0, 1, 10]"); /* everything lies behind */
+    assert_true(s.camera.near_plane > 0.0 && s.camera.far_plane > s.camera.near_plane);
+    rl_scene_clear(&s);
+}
+
+/* The scenes that come with the program. */
+static void test_planes_of_scenes(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {"studies/scenes/teapot-star.yaml", "studies/scenes/sphere-quad.yaml",
+                                         "studies/scenes/two-roughness.yaml",
+                                         "studies/scenes/three-lights.yaml"};
+    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
+        struct rl_scene s;
+        check_ok(rl_scene_load(&s, scenes[i], &error), &error);
+        check_planes(&s);
+        rl_scene_clear(&s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_planes_of_scenes),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
