@@ -2,6 +2,7 @@
 #include "scene/mesh.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void rl_mesh_clear(struct rl_mesh *mesh)
 {
@@ -37,13 +38,22 @@ void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_
     *radius = 0.0;
     if (mesh->n_vertices == 0)
         return;
-    *low = *high = vertex(mesh, 0);
-    for (size_t i = 1; i < mesh->n_vertices; i++) {
-        rl_vec3 p = vertex(mesh, i);
-        *low = v3(fmin(low->x, p.x), fmin(low->y, p.y), fmin(low->z, p.z));
-        *high = v3(fmax(high->x, p.x), fmax(high->y, p.y), fmax(high->z, p.z));
-    }
+    float least[3], most[3];
+    memcpy(least, mesh->position[0], sizeof least);
+    memcpy(most, mesh->position[0], sizeof most);
+    for (size_t i = 1; i < mesh->n_vertices; i++)
+        for (int c = 0; c < 3; c++) { /* not fmin: that is a call for each */
+            float x = mesh->position[i][c];
+            least[c] = x < least[c] ? x : least[c];
+            most[c] = x > most[c] ? x : most[c];
+        }
+    *low = v3(least[0], least[1], least[2]);
+    *high = v3(most[0], most[1], most[2]);
     *centre = v3_scale(0.5, v3_add(*low, *high));
-    for (size_t i = 0; i < mesh->n_vertices; i++)
-        *radius = fmax(*radius, v3_length(v3_sub(vertex(mesh, i), *centre)));
+    double square = 0.0;
+    for (size_t i = 0; i < mesh->n_vertices; i++) {
+        rl_vec3 d = v3_sub(vertex(mesh, i), *centre);
+        square = v3_dot(d, d) > square ? v3_dot(d, d) : square;
+    }
+    *radius = sqrt(square);
 }

@@ -46,6 +46,7 @@ int rl_build_placement(struct rl_placement *placement, const struct rl_scene_bui
         status = rl_build_triple(b, path, raw->rotate, -3600.0, 3600.0);
         memcpy(angle, raw->rotate, sizeof angle);
     }
+    placement->is_identity = !raw->scale && !raw->stretch && !raw->rotate && !raw->translate;
     placement->translate = v3(0.0, 0.0, 0.0);
     if (status == RL_OK && raw->translate) {
         rl_yaml_key(path, key, "translate");
@@ -87,6 +88,8 @@ static void store(float to[3], rl_vec3 from)
 
 void rl_place_mesh(const struct rl_placement *placement, struct rl_mesh *mesh)
 {
+    if (placement->is_identity)
+        return;
     for (size_t i = 0; i < mesh->n_vertices; i++) {
         store(mesh->position[i], rl_place_point(placement, load(mesh->position[i])));
         store(mesh->normal[i], v3_normalize(apply(placement->cofactor, load(mesh->normal[i]))));

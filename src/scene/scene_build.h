@@ -2,6 +2,8 @@
 #ifndef RL_SCENE_SCENE_BUILD_H
 #define RL_SCENE_SCENE_BUILD_H
 
+#include <stdbool.h>
+
 #include "scene/scene.h"
 #include "scene/scene_schema.h"
 
@@ -39,6 +41,7 @@ int rl_build_lights(const struct rl_scene_builder *b);
 struct rl_placement {
     double linear[3][3], cofactor[3][3];
     rl_vec3 translate;
+    bool is_identity; /* nothing was asked for: meshes are left as they are */
 };
 
 int rl_build_placement(struct rl_placement *placement, const struct rl_scene_builder *b,

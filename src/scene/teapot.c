@@ -19,27 +19,51 @@ static struct basis cubics(double t)
     };
 }
 
-static rl_vec3 combine(int patch, const double u[4], const double v[4])
+/* The cubic in u that a patch is at one v, and its derivative by v: four control points each. */
+struct isoline {
+    rl_vec3 point[4], along_v[4];
+};
+
+static rl_vec3 combine(const double weight[4], const rl_vec3 point[4])
 {
-    rl_vec3 sum = v3(0.0, 0.0, 0.0);
-    for (int i = 0; i < 16; i++) {
-        const double *p = rl_teapot_point[rl_teapot_patch[patch][i]];
-        sum = v3_madd(sum, v[i / 4] * u[i % 4], v3(p[0], p[1], p[2]));
-    }
+    rl_vec3 sum = v3_scale(weight[0], point[0]);
+    for (int i = 1; i < 4; i++)
+        sum = v3_madd(sum, weight[i], point[i]);
     return sum;
+}
+
+static struct isoline isoline(int patch, double v)
+{
+    struct basis basis = cubics(v);
+    struct isoline line;
+    for (int j = 0; j < 4; j++) {
+        rl_vec3 column[4];
+        for (int i = 0; i < 4; i++) {
+            const double *p = rl_teapot_point[rl_teapot_patch[patch][4 * i + j]];
+            column[i] = v3(p[0], p[1], p[2]);
+        }
+        line.point[j] = combine(basis.b, column);
+        line.along_v[j] = combine(basis.d, column);
+    }
+    return line;
+}
+
+static void evaluate(const struct isoline *line, const struct basis *u, rl_vec3 *position, rl_vec3 *normal)
+{
+    *position = combine(u->b, line->point);
+    rl_vec3 along_u = combine(u->d, line->point);
+    rl_vec3 along_v = combine(u->b, line->along_v);
+    /* On an edge v = 0 that is one point, dP/du = 0 and close by it is v d2P/dudv: the same direction. */
+    if (v3_length(along_u) < 1e-9)
+        along_u = combine(u->d, line->along_v);
+    *normal = v3_normalize(v3_cross(along_v, along_u));
 }
 
 void rl_teapot_evaluate(int patch, double u, double v, rl_vec3 *position, rl_vec3 *normal)
 {
-    struct basis bu = cubics(u), bv = cubics(v);
-    *position = combine(patch, bu.b, bv.b);
-    rl_vec3 along_u = combine(patch, bu.d, bv.b);
-    rl_vec3 along_v = combine(patch, bu.b, bv.d);
-    /* On an edge v = 0 that is one point, dP/du = 0 and close by it is v d2P/dudv: the same direction.
-     * Elsewhere in the data no derivative comes below 0.01. */
-    if (v3_length(along_u) < 1e-9)
-        along_u = combine(patch, bu.d, bv.d);
-    *normal = v3_normalize(v3_cross(along_v, along_u));
+    struct isoline line = isoline(patch, v);
+    struct basis basis = cubics(u);
+    evaluate(&line, &basis, position, normal);
 }
 
 static void store(float to[3], rl_vec3 from)
@@ -69,15 +93,17 @@ static void add_triangle(struct rl_mesh *mesh, size_t a, size_t b, size_t c)
 static void add_patch(struct rl_mesh *mesh, int patch, int tessellation)
 {
     size_t row = (size_t)tessellation + 1;
-    size_t first = (size_t)patch * row * row;
-    for (int i = 0; i <= tessellation; i++)
-        for (int j = 0; j <= tessellation; j++) {
+    size_t first = (size_t)patch * row * row, next = first;
+    for (int i = 0; i <= tessellation; i++) {
+        struct isoline line = isoline(patch, (double)i / tessellation);
+        for (int j = 0; j <= tessellation; j++, next++) {
+            struct basis basis = cubics((double)j / tessellation);
             rl_vec3 position, normal;
-            rl_teapot_evaluate(patch, (double)j / tessellation, (double)i / tessellation, &position, &normal);
-            size_t index = first + (size_t)i * row + (size_t)j;
-            store(mesh->position[index], position);
-            store(mesh->normal[index], normal);
+            evaluate(&line, &basis, &position, &normal);
+            store(mesh->position[next], position);
+            store(mesh->normal[next], normal);
         }
+    }
     for (size_t i = 0; i + 1 < row; i++)
         for (size_t j = 0; j + 1 < row; j++) {
             size_t a = first + i * row + j;
