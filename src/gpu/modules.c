@@ -1,7 +1,9 @@
 /* Reads shader modules, joins them, and traces compiler messages back to them. */
 #include "gpu/modules.h"
 
+#include <ctype.h>
 #include <limits.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,38 +67,64 @@ static const char *first_error(const char *log)
     return log;
 }
 
-/* Mesa writes "K:LINE(COLUMN): error: ...", others "K(LINE) : error ..." or "ERROR: K:LINE: ...". */
-static int parse_place(const char *message, size_t *number, int *line, const char **rest)
+/* Steps over `text` where it comes next. */
+static bool skip(const char **at, const char *text)
 {
-    int used = 0;
-    int column = 0;
-    if (strncmp(message, "ERROR: ", 7) == 0)
-        message += 7;
-    if (sscanf(message, "%zu:%d(%d): %n", number, line, &column, &used) == 3 && used > 0)
-        *rest = message + used;
-    else if (sscanf(message, "%zu(%d) : %n", number, line, &used) == 2 && used > 0)
-        *rest = message + used;
-    else if (sscanf(message, "%zu:%d: %n", number, line, &used) == 2 && used > 0)
-        *rest = message + used;
-    else
-        return 0;
-    return 1;
+    size_t length = strlen(text);
+    if (strncmp(*at, text, length) != 0)
+        return false;
+    *at += length;
+    return true;
+}
+
+static bool skip_number(const char **at, unsigned long *number)
+{
+    char *end;
+    if (!isdigit((unsigned char)**at))
+        return false;
+    *number = strtoul(*at, &end, 10);
+    *at = end;
+    return true;
+}
+
+/* Mesa writes "K:LINE(COLUMN): error: ...", others "K(LINE) : error ..." or "ERROR: K:LINE: ...". */
+static bool parse_place(const char **message, unsigned long *number, unsigned long *line)
+{
+    unsigned long column;
+    const char *at = *message;
+    skip(&at, "ERROR: ");
+    if (!skip_number(&at, number))
+        return false;
+    if (skip(&at, "(")) {
+        if (!skip_number(&at, line) || !skip(&at, ") : "))
+            return false;
+    } else {
+        if (!skip(&at, ":") || !skip_number(&at, line))
+            return false;
+        if (skip(&at, "(") && !(skip_number(&at, &column) && skip(&at, ")")))
+            return false;
+        if (!skip(&at, ": "))
+            return false;
+    }
+    *message = at;
+    return true;
 }
 
 int rl_modules_fail(const struct rl_plan_program *program, const char *log, struct rl_error *error)
 {
     const char *message = first_error(log);
-    const char *rest = message;
-    size_t number = 0;
-    int line = 0;
-    int placed = parse_place(message, &number, &line, &rest);
-    int length = (int)strcspn(rest, "\n");
+    unsigned long number = 0;
+    unsigned long line = 0;
+    bool placed = parse_place(&message, &number, &line);
+    int length = (int)strcspn(message, "\n");
     if (placed && number < program->n_modules)
-        return rl_fail(error, RL_ERR_INPUT, "shaders/%s.glsl:%d: %.*s", program->module[number], line, length,
-                       rest);
-    return rl_fail(error, RL_ERR_INPUT, "the %s pass's shader%s: %.*s", program->pass,
-                   placed && number == NUMBER_GLUE      ? " (generated glue)"
-                   : placed && number == NUMBER_DEFINES ? " (generated constants)"
-                                                        : "",
-                   length, rest);
+        return rl_fail(error, RL_ERR_INPUT, "shaders/%s.glsl:%lu: %.*s", program->module[number], line,
+                       length, message);
+    const char *where = "";
+    if (placed && number == NUMBER_GLUE)
+        where = " (generated glue)";
+    else if (placed && number == NUMBER_DEFINES)
+        where = " (generated constants)";
+    return rl_fail(error, RL_ERR_INPUT, "the %s pass's shader%s: %.*s", program->pass, where, length,
+                   message);
 }

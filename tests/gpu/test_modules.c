@@ -1,29 +1,76 @@
 /* Shader modules: a mistake in any of them is reported with its file and line. */
-#include <stdbool.h>
+#include <dirent.h>
+#include <limits.h>
 
+#include "base/files.h"
 #include "gpu/fixture.h"
 #include "gpu/modules.h"
 #include "support/temporary.h"
 
 static struct temporary folder;
 
-static void run(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static void run(const char *format, ...)
+static void copied_path(char path[PATH_MAX], const char *module)
 {
-    char command[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    int n = vsnprintf(command, sizeof command, format, arguments);
-    va_end(arguments);
-    assert_in_range(n, 1, sizeof command - 1);
-    assert_int_equal(system(command), 0);
+    int n = snprintf(path, PATH_MAX, "%s/shaders/%s.glsl", folder.folder, module);
+    assert_in_range(n, 1, PATH_MAX - 1);
+}
+
+/* Copies a module with `line` in place of line `number`; 0: as it is. */
+static void copy_module(const char *module, int number, const char *line)
+{
+    struct rl_error error;
+    char path[PATH_MAX];
+    char *text;
+    size_t size;
+    snprintf(path, sizeof path, "shaders/%s.glsl", module);
+    check_ok(rl_file_read(&text, &size, path, &error), &error);
+    char *copy = malloc(size + strlen(line) + 1);
+    assert_non_null(copy);
+    const char *start = text;
+    for (int i = 1; i < number; i++) {
+        start = strchr(start, '\n');
+        assert_non_null(start++);
+    }
+    const char *end = number ? start + strcspn(start, "\n") : start;
+    int n = sprintf(copy, "%.*s%s%s", (int)(start - text), text, number ? line : "", end);
+    copied_path(path, module);
+    check_ok(rl_file_write(path, copy, (size_t)n, &error), &error);
+    free(copy);
+    free(text);
+}
+
+static void restore(const char *module)
+{
+    copy_module(module, 0, "");
+}
+
+static void copy_folder(const char *name)
+{
+    struct rl_error error;
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/shaders/%s", folder.folder, name);
+    check_ok(rl_directory_create(path, &error), &error);
+    snprintf(path, sizeof path, "shaders/%s", name);
+    DIR *directory = opendir(path);
+    assert_non_null(directory);
+    for (const struct dirent *entry; (entry = readdir(directory)) != NULL;) {
+        char module[300];
+        int stem = (int)strcspn(entry->d_name, ".");
+        if (stem == 0)
+            continue;
+        snprintf(module, sizeof module, "%s/%.*s", name, stem, entry->d_name);
+        restore(module);
+    }
+    closedir(directory);
 }
 
 static int copy_shaders(void **state)
 {
     (void)state;
+    static const char *const folders[] = {"common", "effects", "methods", "passes"};
     temporary_make(&folder);
-    run("cp -r shaders %s/", folder.folder);
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++)
+        copy_folder(folders[i]);
     return setenv("ROUGHLIGHT_DATA", folder.folder, 1);
 }
 
@@ -32,17 +79,6 @@ static int remove_shaders(void **state)
     (void)state;
     temporary_remove(&folder);
     return unsetenv("ROUGHLIGHT_DATA");
-}
-
-/* Puts `line` in place of line `number` of a copied module. */
-static void spoil(const char *module, int number, const char *line)
-{
-    run("sed '%ds/.*/%s/' shaders/%s.glsl > %s/shaders/%s.glsl", number, line, module, folder.folder, module);
-}
-
-static void restore(const char *module)
-{
-    run("cp shaders/%s.glsl %s/shaders/%s.glsl", module, folder.folder, module);
 }
 
 static int prepare(const char *method, struct rl_error *error)
@@ -81,7 +117,7 @@ static void a_mistake_is_named_by_module_and_line(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct rl_error error;
         char expected[128];
-        spoil(rows[i].module, rows[i].line, "\\$ mistake \\$");
+        copy_module(rows[i].module, rows[i].line, "$ mistake $");
         assert_int_equal(prepare(rows[i].method, &error), RL_ERR_INPUT);
         restore(rows[i].module);
         snprintf(expected, sizeof expected, "shaders/%s.glsl:%d: ", rows[i].module, rows[i].line);
@@ -97,7 +133,7 @@ static void a_missing_function_is_named(void **state)
 {
     (void)state;
     struct rl_error error;
-    spoil("effects/diffuse", 8, "vec3 effect_other(Surface s)");
+    copy_module("effects/diffuse", 8, "vec3 effect_other(Surface s)");
     assert_int_equal(prepare("plain", &error), RL_ERR_INPUT);
     restore("effects/diffuse");
     assert_non_null(strstr(error.message, "effect_diffuse"));
@@ -107,7 +143,9 @@ static void a_missing_module_is_an_error(void **state)
 {
     (void)state;
     struct rl_error error;
-    run("rm %s/shaders/methods/random.glsl", folder.folder);
+    char path[PATH_MAX];
+    copied_path(path, "methods/random");
+    assert_int_equal(remove(path), 0);
     check_fails(prepare("random", &error), &error, RL_ERR_UNAVAILABLE, "shaders/methods/random.glsl");
     restore("methods/random");
 }

@@ -436,7 +436,7 @@ static void frames_repeat(void **state)
     assert_int_equal(counters.programs, 3);
     assert_int_equal(counters.textures, 2);
     assert_int_equal(counters.draws, 6 + 2 * 2);
-    assert_true(counters.bytes_uploaded > 512 * 512 * 4);
+    assert_true(counters.bytes_uploaded > (size_t)512 * 512 * 4);
     rl_gpu_scene_reset_counters(gs[0]);
     assert_int_equal(rl_gpu_scene_counters(gs[0]).triangles, 0);
     for (int i = 0; i < 2; i++) {

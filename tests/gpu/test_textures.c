@@ -53,7 +53,7 @@ static void normals_are_the_methods_to_their_bits(void **state)
         settings.seed = 5;
         check_ok(rl_normal_texels_make(&texels, &map, &settings, &error), &error);
         assert_int_equal(texels.internal_format, rows[r].internal_format);
-        for (size_t i = 0; i < 64 * 64; i++) {
+        for (size_t i = 0; i < (size_t)64 * 64; i++) {
             double h[3];
             struct rl_microfacet expected = method->texel(&e, 5, i);
             decode(h, &texels, i);
