@@ -69,10 +69,8 @@ static int load(struct egl *e, struct rl_error *error)
 {
     /* NODELETE: see osmesa.c. */
     e->library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!e->library) {
-        rl_fail(error, RL_ERR_UNAVAILABLE, "%s", dlerror());
-        return RL_ERR_UNAVAILABLE;
-    }
+    if (!e->library)
+        return rl_fail(error, RL_ERR_UNAVAILABLE, "%s", dlerror());
     e->get_proc_address = (PFNEGLGETPROCADDRESSPROC)rl_gpu_symbol(e->library, "eglGetProcAddress");
     e->query_string = (PFNEGLQUERYSTRINGPROC)rl_gpu_symbol(e->library, "eglQueryString");
     e->get_error = (PFNEGLGETERRORPROC)rl_gpu_symbol(e->library, "eglGetError");
@@ -87,10 +85,8 @@ static int load(struct egl *e, struct rl_error *error)
     e->release_thread = (PFNEGLRELEASETHREADPROC)rl_gpu_symbol(e->library, "eglReleaseThread");
     if (!e->get_proc_address || !e->query_string || !e->get_error || !e->get_platform_display ||
         !e->initialize || !e->terminate || !e->bind_api || !e->create_context || !e->destroy_context ||
-        !e->make_current) {
-        rl_fail(error, RL_ERR_UNAVAILABLE, LIBRARY ": a function is missing (older than EGL 1.5?)");
-        return RL_ERR_UNAVAILABLE;
-    }
+        !e->make_current)
+        return rl_fail(error, RL_ERR_UNAVAILABLE, LIBRARY ": a function is missing (older than EGL 1.5?)");
     return RL_OK;
 }
 

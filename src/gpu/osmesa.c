@@ -55,18 +55,15 @@ static int load(struct osmesa *o, struct rl_error *error)
     /* NODELETE: Mesa and LLVM leave exit handlers and thread-local data behind that must not lose their code.
      */
     o->library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!o->library) {
-        rl_fail(error, RL_ERR_UNAVAILABLE, "%s", dlerror());
-        return RL_ERR_UNAVAILABLE;
-    }
+    if (!o->library)
+        return rl_fail(error, RL_ERR_UNAVAILABLE, "%s", dlerror());
     o->create = (create_function)rl_gpu_symbol(o->library, "OSMesaCreateContextAttribs");
     o->make_current = (make_current_function)rl_gpu_symbol(o->library, "OSMesaMakeCurrent");
     o->destroy = (destroy_function)rl_gpu_symbol(o->library, "OSMesaDestroyContext");
     o->get_proc = (get_proc_function)rl_gpu_symbol(o->library, "OSMesaGetProcAddress");
-    if (!o->create || !o->make_current || !o->destroy || !o->get_proc) {
-        rl_fail(error, RL_ERR_UNAVAILABLE, LIBRARY ": a function is missing (too old for core profiles?)");
-        return RL_ERR_UNAVAILABLE;
-    }
+    if (!o->create || !o->make_current || !o->destroy || !o->get_proc)
+        return rl_fail(error, RL_ERR_UNAVAILABLE,
+                       LIBRARY ": a function is missing (too old for core profiles?)");
     return RL_OK;
 }
 
