@@ -59,8 +59,10 @@ static void integrate_theta(struct rl_estimate *estimate, const struct rl_lines 
     struct rl_panel *panels = memory;
     struct rl_break *breaks = (struct rl_break *)(panels + rl_breaks_most(lines->set) + 1);
     size_t n = panels_between(panels, breaks, merge_breaks(breaks, rl_breaks_find(breaks, lines)));
+    /* A little is left for rounding, which comes on top. */
+    double tolerance = options->tolerance * lines->set->brightest;
     const struct rl_quadrature_options quadrature = {
-        .tolerance = RL_PI * options->tolerance * lines->set->brightest,
+        .tolerance = 0.99 * RL_PI * tolerance,
         .max_evaluations = options->max_evaluations,
     };
     struct rl_quadrature_result result;
@@ -70,6 +72,7 @@ static void integrate_theta(struct rl_estimate *estimate, const struct rl_lines 
     for (int c = 0; c < 3; c++) {
         estimate->value[c] = result.value[c] / RL_PI;
         estimate->error[c] = (result.error[c] + result.value[3]) / RL_PI;
+        estimate->converged = estimate->converged && estimate->error[c] <= tolerance;
     }
 }
 

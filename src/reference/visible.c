@@ -98,6 +98,20 @@ static rl_vec3 interpolate(float (*values)[3], const uint32_t corner[3], double 
     return v3_madd(sum, v, vertex_vector(values[corner[2]]));
 }
 
+/* Where the ray meets the triangle's plane, in double precision (Moeller and Trumbore 1997): Embree's own u and v are floats, which
+ * moves a sharp highlight by more than the image's last digit. */
+static void meet_plane(double *u, double *v, const struct rl_mesh *mesh, const uint32_t corner[3],
+                       rl_vec3 origin, rl_vec3 direction)
+{
+    rl_vec3 first = vertex_vector(mesh->position[corner[0]]), from_first = v3_sub(origin, first);
+    rl_vec3 a = v3_sub(vertex_vector(mesh->position[corner[1]]), first);
+    rl_vec3 b = v3_sub(vertex_vector(mesh->position[corner[2]]), first);
+    rl_vec3 p = v3_cross(direction, b);
+    double scale = 1.0 / v3_dot(a, p);
+    *u = v3_dot(from_first, p) * scale;
+    *v = v3_dot(direction, v3_cross(from_first, a)) * scale;
+}
+
 bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct rl_visible *visible,
                       rl_vec3 direction)
 {
@@ -122,8 +136,10 @@ bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct r
         return false;
     const struct rl_mesh *mesh = &visible->scene->object[query.hit.geomID].mesh;
     const uint32_t *corner = mesh->triangle[query.hit.primID];
-    surface->P = interpolate(mesh->position, corner, query.hit.u, query.hit.v);
-    surface->N = v3_normalize(interpolate(mesh->normal, corner, query.hit.u, query.hit.v));
+    double u, v;
+    meet_plane(&u, &v, mesh, corner, camera->position, direction);
+    surface->P = interpolate(mesh->position, corner, u, v);
+    surface->N = v3_normalize(interpolate(mesh->normal, corner, u, v));
     surface->V = v3_normalize(v3_sub(camera->position, surface->P));
     *object = query.hit.geomID;
     return true;
