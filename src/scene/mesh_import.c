@@ -3,10 +3,8 @@
 #include "scene/mesh_import.h"
 
 #include <assimp/cfileio.h>
-#include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <float.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -14,6 +12,7 @@
 
 #include "base/files.h"
 #include "base/hash.h"
+#include "scene/assimp.h"
 
 /* ---- Files for assimp ---- */
 
@@ -316,23 +315,21 @@ static int convert(struct rl_mesh *mesh, const struct aiScene *scene, struct rl_
 }
 
 /* What assimp could do about bad data is not asked for: it would drop it without a word. */
-static const struct aiScene *import(struct aiFileIO *io, const char *path)
+static const struct aiScene *import(const struct rl_assimp *assimp, struct aiFileIO *io, const char *path)
 {
     unsigned flags = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent |
                      aiProcess_JoinIdenticalVertices;
-    struct aiPropertyStore *properties = aiCreatePropertyStore();
+    struct aiPropertyStore *properties = assimp->create_properties();
     if (!properties)
         return NULL;
-    aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE,
-                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    assimp->set_integer(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     /* Vertices that differ in these alone are one vertex here. */
-    aiSetImportPropertyInteger(properties, AI_CONFIG_PP_RVC_FLAGS,
-                               aiComponent_TEXCOORDS | aiComponent_COLORS |
-                                   aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_BONEWEIGHTS |
-                                   aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
-                                   aiComponent_CAMERAS | aiComponent_MATERIALS);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, flags, io, properties);
-    aiReleasePropertyStore(properties);
+    assimp->set_integer(properties, AI_CONFIG_PP_RVC_FLAGS,
+                        aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
+                            aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES |
+                            aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS);
+    const struct aiScene *scene = assimp->import_file(path, flags, io, properties);
+    assimp->release_properties(properties);
     return scene;
 }
 
@@ -340,19 +337,22 @@ int rl_mesh_import(struct rl_mesh *mesh, uint64_t *hash, const char *path, const
                    struct rl_error *error)
 {
     *mesh = (struct rl_mesh){0};
+    struct rl_assimp assimp;
+    int status = rl_assimp_load(&assimp, error);
+    if (status != RL_OK)
+        return status;
     struct cache cache = {.hash = *hash};
     struct aiFileIO io = {.OpenProc = file_open, .CloseProc = file_close, .UserData = (aiUserData)&cache};
     if (!cache_add(&cache, path, data, NULL, size))
         return rl_fail_memory(error, path);
-    const struct aiScene *scene = import(&io, path);
-    int status;
+    const struct aiScene *scene = import(&assimp, &io, path);
     if (scene)
         status = convert(mesh, scene, error);
     else
         status = rl_fail(error, RL_ERR_INPUT, "found what assimp cannot read (%.300s), expected a mesh",
-                         aiGetErrorString());
+                         assimp.error_string());
     if (scene)
-        aiReleaseImport(scene);
+        assimp.release(scene);
     *hash = cache.hash;
     cache_clear(&cache);
     return status == RL_OK ? RL_OK : rl_fail_prefix(error, "%s", path);
