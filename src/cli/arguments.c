@@ -68,7 +68,7 @@ static int take_option(struct rl_arguments *a, const struct rl_command *command,
     bool is_long = word[0][1] == '-';
     const char *name = is_long ? word[0] + 2 : word[0] + 1;
     size_t length = is_long ? strcspn(name, "=") : 1;
-    const struct rl_option *option = find(command, name, length, is_long ? 0 : name[0]);
+    const struct rl_option *option = find(command, name, length, (char)(is_long ? 0 : name[0]));
     if (!option)
         return unknown_option(command, word[0], error);
     const char *attached = name[length] == '\0' ? NULL : name + length + (name[length] == '=');

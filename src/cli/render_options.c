@@ -1,6 +1,7 @@
 /* From words to render settings (see render_options.h). */
 #include "cli/render_options.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,18 +32,28 @@ const struct rl_option rl_options_render[] = {
     {0},
 };
 
+/* A whole number of pixels at *text, which moves behind it; 0 if there is none. */
+static int scan_pixels(const char **text)
+{
+    char *end = NULL;
+    long n = isdigit((unsigned char)**text) ? strtol(*text, &end, 10) : 0;
+    if (n < 1 || n > RL_FILM_MAX)
+        return 0;
+    *text = end;
+    return (int)n;
+}
+
 static int take_size(struct rl_settings *settings, const char *text, struct rl_error *error)
 {
-    int width = 0;
-    int height = 0;
-    int end = 0;
-    if (sscanf(text, "%5dx%5d%n", &width, &height, &end) != 2 || text[end] != '\0' || width < 1 ||
-        height < 1 || width > 16384 || height > 16384)
-        return rl_fail(error, RL_ERR_INPUT, "--size: found '%s', expected WIDTHxHEIGHT, each 1 to 16384",
-                       text);
-    settings->width = width;
-    settings->height = height;
-    return RL_OK;
+    const char *rest = text;
+    settings->width = scan_pixels(&rest);
+    bool separated = *rest == 'x';
+    rest += separated;
+    settings->height = scan_pixels(&rest);
+    if (settings->width > 0 && separated && settings->height > 0 && *rest == '\0')
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "--size: found '%s', expected WIDTHxHEIGHT, each 1 to %d", text,
+                   RL_FILM_MAX);
 }
 
 static int take_method(struct rl_settings *settings, const char *name, struct rl_error *error)

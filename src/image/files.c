@@ -280,7 +280,7 @@ static unsigned char *encode_bytes(const struct rl_image *image, struct rl_write
 {
     size_t pixels = (size_t)image->width * (size_t)image->height;
     size_t channels = (size_t)image->channels;
-    unsigned char *bytes = malloc(pixels * channels);
+    unsigned char *bytes = malloc(pixels * channels + 1); /* + 1: never zero, which malloc may refuse */
     int alpha = rl_image_channel(image, "A");
     for (size_t i = 0; bytes && i < pixels; i++)
         encode_pixel(bytes + i * channels, image->data + i * channels, image->channels, alpha, report);

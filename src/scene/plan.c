@@ -17,9 +17,10 @@ static void add_module(struct rl_plan_program *program, const char *folder, cons
     snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "%s/%s", folder, name);
 }
 
+/* The last module names the pass, so equal modules are of one pass. */
 static bool same_program(const struct rl_plan_program *a, const struct rl_plan_program *b)
 {
-    if (strcmp(a->pass, b->pass) != 0 || a->n_modules != b->n_modules || a->samples != b->samples)
+    if (a->n_modules != b->n_modules || a->samples != b->samples)
         return false;
     for (size_t i = 0; i < a->n_modules; i++)
         if (strcmp(a->module[i], b->module[i]) != 0)
@@ -227,7 +228,7 @@ static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene
 {
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        bool needed = m->highlight_program >= 0 && m->method->needs_environment;
+        bool needed = m->method && m->highlight_program >= 0 && m->method->needs_environment;
         plan->environment[i] = needed ? (int)plan->n_environments++ : -1;
     }
     plan->environment_program = plan->n_environments > 0 ? environment_program(plan) : -1;

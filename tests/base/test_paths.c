@@ -38,7 +38,7 @@ static void test_build_tree(void **state)
 static void test_environment(void **state)
 {
     (void)state;
-    struct temporary folder;
+    struct temporary folder = {0};
     char file[PATH_MAX];
     char path[PATH_MAX];
     temporary_make(&folder);

@@ -1,6 +1,6 @@
 /* A folder of a test's own, removed with all it holds.
  *
- *     struct temporary t;
+ *     struct temporary t = {0};
  *     temporary_make(&t);
  *     temporary_path(&t, path, "results.db");
  *     temporary_remove(&t);
