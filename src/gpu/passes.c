@@ -101,21 +101,20 @@ static void sphere_pass(struct rl_gpu_scene *gs)
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+/* The stencil buffer lets a pixel through once: of surfaces at one depth (a triangle that a mesh has twice) the first one, which is
+ * also the one that the surface pass has shown. */
 static void highlight_pass(struct rl_gpu_scene *gs)
 {
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
-    gl->StencilFunc(GL_EQUAL, 1, 0xff);
-    gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl->Enable(GL_STENCIL_TEST);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     for (size_t i = 0; i < gs->scene->n_objects; i++) {
         const struct rl_plan_material *m = gs->object[i].material;
         if (m->highlight_program < 0)
             continue;
-        if (m->sphere_program >= 0)
-            gl->Enable(GL_STENCIL_TEST);
-        else
-            gl->Disable(GL_STENCIL_TEST);
+        gl->StencilFunc(GL_EQUAL, m->sphere_program >= 0 ? 1 : 0, 0xff);
         draw_object(gs, &gs->object[i], m->highlight_program);
     }
 }

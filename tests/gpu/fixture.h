@@ -140,6 +140,26 @@ static inline void fixture_sphere(struct rl_scene *scene, int width, int height,
     fixture_quad(scene, v3(-2.0, 2.0, 3.0), v3(0.8, 0.8, 0.0), v3(0.5, -0.5, 0.5), 2.0, 1.5, 1.0);
 }
 
+/* A closed box of light about the object: L_e = 1 in every direction. */
+static inline void fixture_furnace(struct rl_scene *scene, const char *method, double rr)
+{
+    fixture_begin(scene, 48, 36);
+    fixture_camera(scene, v3(0.0, 0.0, 4.0), v3(0.0, 0.0, 0.0), 32.0);
+    fixture_object(scene, RL_SHAPE_SPHERE, 24, 1.0, v3(0.0, 0.0, 0.0),
+                   fixture_material(scene, rr, 0.0, 0.0, 1.0, method));
+    for (int axis = 0; axis < 3; axis++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double c[3] = {0.0, 0.0, 0.0};
+            double u[3] = {0.0, 0.0, 0.0};
+            double v[3] = {0.0, 0.0, 0.0};
+            c[axis] = 9.0 * sign;
+            u[(axis + 1) % 3] = 9.001;
+            v[(axis + 2) % 3] = 9.001;
+            fixture_quad(scene, v3(c[0], c[1], c[2]), v3(u[0], u[1], u[2]), v3(v[0], v[1], v[2]), 1.0, 1.0,
+                         1.0);
+        }
+}
+
 /* Plan, preparation, one frame and the picture, in one. */
 static inline void fixture_render(struct rl_image *image, struct rl_gpu *gpu, const struct rl_scene *scene,
                                   const struct rl_settings *settings)

@@ -77,6 +77,7 @@ static void samples_of_a_pixel_are_distinct_texels(void **state)
     for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
         unsigned texels = (unsigned)sizes[s] * (unsigned)sizes[s];
         unsigned step = rl_normal_map_step(sizes[s]);
+        assert_true(step % 2 == 1);
         unsigned char *seen = calloc(texels, 1);
         assert_non_null(seen);
         for (unsigned i = 0; i < RL_SAMPLES_MAX; i++) {
@@ -104,12 +105,37 @@ static void units_keep_floats_exact(void **state)
     assert_true(rl_texel_unit(RL_TEXEL_RGBA8, 0.0f) == 1.0f);
 }
 
+/* What is drawn becomes the nearest level whether OpenGL rounds or cuts off. */
+static void texels_are_safe_from_either_rounding(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rl_texel_format format;
+        double levels;
+    } rows[] = {{RL_TEXEL_RGBA8, 255}, {RL_TEXEL_RGB10A2, 1023}, {RL_TEXEL_RGBA16, 65535}};
+    for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++)
+        for (int i = 0; i <= 1000; i++) {
+            double value = i / 1000.0;
+            double drawn = rl_texel_nearest(rows[r].format, 0, value) * rows[r].levels;
+            double fraction = drawn - floor(drawn);
+            check_near(drawn, value * rows[r].levels, 0.76);
+            assert_true(drawn == rows[r].levels || (fraction > 0.05 && fraction < 0.45));
+        }
+    /* By hand: steps of 2^-11, 2^-7 and 2^-6 between 1/2 and 1, and of 2^-24 below the least normal half. */
+    check_near(rl_texel_nearest(RL_TEXEL_RGBA16F, 0, 0.70003), 1434.0 / 2048, 0.0);
+    check_near(rl_texel_nearest(RL_TEXEL_R11G11B10F, 0, 0.7), 90.0 / 128, 0.0);
+    check_near(rl_texel_nearest(RL_TEXEL_R11G11B10F, 2, 0.7), 45.0 / 64, 0.0);
+    check_near(rl_texel_nearest(RL_TEXEL_RGBA16F, 0, 0x1.8p-24), 0x1p-23, 0.0);
+    check_near(rl_texel_nearest(RL_TEXEL_RGBA32F, 0, 0.7), (float)0.7, 0.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normals_are_the_methods_to_their_bits),
         cmocka_unit_test(samples_of_a_pixel_are_distinct_texels),
         cmocka_unit_test(units_keep_floats_exact),
+        cmocka_unit_test(texels_are_safe_from_either_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
