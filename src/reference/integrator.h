@@ -3,8 +3,9 @@
  *     L_o = (1/pi) integral over theta in [0,pi), delta in [-pi/2,pi/2] of D(delta) G L_e(P, L) d delta d theta
  *
  * For one theta the reflected direction runs once round a circle as delta does; where it crosses the lights' edges has a closed
- * form (lines.h). Between crossings, horizon and kinks of G the inner integrand is smooth. Over theta the integrand breaks where
- * the circle passes a vertex; there the range is split, and each piece is integrated adaptively (Gauss-Kronrod).
+ * form (lines.h), and so has the integral between crossings, attenuated or not (inner.h). Over theta what is left breaks where the
+ * circle passes a vertex, touches an edge, or a crossing passes a kink of G: all known in advance (breaks.h). There the range is
+ * split, and each panel is integrated adaptively (quadrature.h).
  *
  * With attenuation off G = 1 for every L, also below the horizon: then constant radiance all round gives exactly 1.
  */
@@ -31,7 +32,7 @@ void rl_light_set_free(struct rl_light_set *set);
 
 struct rl_integrate_options {
     bool attenuation;
-    enum rl_frame_kind frame; /* RL_FRAME_PRINTED: H as the paper's frame gives it, normalised; slower */
+    enum rl_frame_kind frame; /* RL_FRAME_PRINTED: H as the paper's frame gives it, normalised */
     double tolerance;         /* absolute error wanted, in units of the brightest radiance of the set */
     size_t max_evaluations;   /* lines; 0: 100000. Past it the best value so far and its error are returned */
 };

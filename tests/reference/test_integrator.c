@@ -109,6 +109,20 @@ static void test_mirror(void **state)
     }
 }
 
+/* The light's edge in the mirror direction of a surface so smooth that rounding of the angle decides: the error says so. */
+static void test_rounding_is_stated(void **state)
+{
+    (void)state;
+    const struct shape half = {4, {{0, -1, 2}, {1, -1, 2}, {1, 1, 2}, {0, 1, 2}}};
+    const struct rl_surface s = {v3(0, 0, 0), v3(0, 0, 1), v3(0, 0, 1)};
+    struct rl_light_set *set = set_of(&half, 1);
+    struct rl_estimate r = integrate(&s, 1e12, set, false, 1e-9);
+    assert_true(fabs(r.value[0] - 0.5) <= r.error[0] && r.error[0] > 1e-6 && !r.converged);
+    r = integrate(&s, 100.0, set, false, 1e-9);
+    assert_true(fabs(r.value[0] - 0.5) <= 1e-3 && r.error[0] <= 1e-9 && r.converged);
+    rl_light_set_free(set);
+}
+
 /* R = 1, V = N, a square of half side a at height h overhead: D = cos(delta)/2, the edge at azimuth psi is seen at
  * tan(2 delta) = a/(h cos psi), so L_o = (4/pi) int_0^(pi/4) sin(atan(a/(h cos psi))/2) d psi. */
 static double square_overhead(double psi, void *user)
@@ -252,10 +266,11 @@ static void test_nothing_to_see(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace),         cmocka_unit_test(test_furnace_in_the_printed_frame),
-        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_roughest),
-        cmocka_unit_test(test_small_far_light), cmocka_unit_test(test_symmetries),
-        cmocka_unit_test(test_nearest_wins),    cmocka_unit_test(test_nothing_to_see),
+        cmocka_unit_test(test_furnace),        cmocka_unit_test(test_furnace_in_the_printed_frame),
+        cmocka_unit_test(test_mirror),         cmocka_unit_test(test_rounding_is_stated),
+        cmocka_unit_test(test_roughest),       cmocka_unit_test(test_small_far_light),
+        cmocka_unit_test(test_symmetries),     cmocka_unit_test(test_nearest_wins),
+        cmocka_unit_test(test_nothing_to_see),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
