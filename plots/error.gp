@@ -10,14 +10,16 @@ height = int(ARG5)
 scale = real(ARG6)
 load ARG1
 
-# The picture as large as its neighbours on the page: as wide as the rendered image, with the scale below.
-set terminal pngcairo size 2 * width, 2 * height + 150 font "DejaVu Sans,13" background "#ffffff" fontscale 1.6
+# As wide as the rendered pictures beside it on the page, with the scale below; small ones are enlarged by whole pixels.
+zoom = ceil(640.0 / width)
+full_height = zoom * height + 110.0
+set terminal pngcairo size zoom * width, full_height font "DejaVu Sans,13" background "#ffffff" fontscale 1.6
 set output output
 set datafile nocolumnheaders
 set lmargin at screen 0
 set rmargin at screen 1
 set tmargin at screen 1
-set bmargin at screen 150.0 / (2 * height + 150)
+set bmargin at screen 110.0 / full_height
 unset key
 unset border
 unset xtics
@@ -27,6 +29,6 @@ set xrange [-0.5:width - 0.5]
 set yrange [-0.5:height - 0.5]
 set cbrange [-scale:scale]
 set palette defined (-1 "#08306b", -0.5 "#4292c6", -0.12 "#c6dbef", 0 "#ffffff", 0.12 "#fdd0a2", 0.5 "#e6550d", 1 "#7f2704")
-set colorbox horizontal user origin 0.1, 90.0 / (2 * height + 150) size 0.8, 32.0 / (2 * height + 150)
+set colorbox horizontal user origin 0.1, 60.0 / full_height size 0.8, 30.0 / full_height
 set cbtics (sprintf("−%.3g", scale) -scale, "0" 0, sprintf("+%.3g", scale) scale)
 plot matrix binary array=(width, height) format="%float32" flipy with image

@@ -27,7 +27,7 @@ if (figure eq "rate") {
             with yerrorbars linetype 1 pointsize 1.1 linewidth 1.4 title "measured here, 95 % interval", \
         data using (here(strcol("scene")) && column("paper_fps") > 0 ? place(strcol("arm")) + 0.08 : NaN):"paper_fps" \
             with points linetype 2 pointsize 1.2 title "Kimura and Tokoi, Table 1 (GeForce FX 5200)", \
-        data using (here(strcol("scene")) ? place(strcol("arm")) - 0.08 : NaN):"fps":(sprintf("%.3g", column("fps"))) \
+        data using (here(strcol("scene")) ? place(strcol("arm")) - 0.08 : NaN):"fps":(column("fps") < 100 ? sprintf("%.3g", column("fps")) : sprintf("%.0f", column("fps"))) \
             with labels offset -2.6, 0 font ",13" textcolor rgb "#0072b2" notitle, \
         data using (here(strcol("scene")) && column("paper_fps") > 0 ? place(strcol("arm")) + 0.08 : NaN):"paper_fps":(sprintf("%g", column("paper_fps"))) \
             with labels offset 2.4, 0 font ",13" textcolor rgb "#b34a00" notitle, \

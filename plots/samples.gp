@@ -15,21 +15,33 @@ row(series, setting, method) = strcol("scene") eq scene && strcol("series") eq s
 # An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
 above_zero(x) = x > 1e-12 ? x : 1e-12
 
-# The values of R_r that were measured, in the file's order.
+# The values of R_r that were measured, ascending: the next larger one until there is none.
 rr_list = ""
-note_rr(x) = (x == x && strstrt(" " . rr_list, sprintf(" %g ", x)) == 0 ? rr_list = rr_list . sprintf("%g ", x) : rr_list, x)
-stats data using (strcol("scene") eq scene && strcol("series") eq "methods" ? note_rr(column("rr")) : NaN) nooutput
-# And the settings, paper alone or paper and fine.
+last = 0.0
+while (1) {
+    next = 1e99
+    note_rr(x) = (x > last && x < next ? next = x : 0, x)
+    stats data using (strcol("scene") eq scene && strcol("series") eq "methods" ? note_rr(column("rr")) : NaN) nooutput
+    if (next == 1e99) { break }
+    rr_list = rr_list . sprintf("%g ", next)
+    last = next
+}
+# And the settings, paper alone or paper and fine; and those of them that were timed.
 settings = ""
 note_setting(s) = (strstrt(" " . settings, " " . s . " ") == 0 ? settings = settings . s . " " : settings, 1)
 stats data using (strcol("scene") eq scene && strcol("series") eq "methods" && column("rr") == 30 ? note_setting(strcol("setting")) : NaN) nooutput
+timed_settings = ""
+note_timed(s) = (strstrt(" " . timed_settings, " " . s . " ") == 0 ? timed_settings = timed_settings . s . " " : timed_settings, 1)
+stats data using (strcol("scene") eq scene && column("rr") == 30 && column("frame_ms") > 0 ? note_timed(strcol("setting")) : NaN) nooutput
 
-stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
-decade_low = 10 ** floor(log10(RMSE_min))
-decade_high = 10 ** ceil(log10(RMSE_max))
 step = 1.0 / 255.0
+stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
+decade_low = 10 ** floor(log10(RMSE_min < step ? RMSE_min : step))
+decade_high = 10 ** ceil(log10(RMSE_max))
+# The guide of slope -1/2 is the noise of one random normal at R_r = 30, divided by the root of N.
+stats data using (row("methods", "paper", "random") && column("rr") == 30 && column("samples") == 1 ? column("noise") : NaN) name "GUIDE" nooutput
 
-name(s) = s eq "paper" ? "paper's settings" : "fine settings"
+name(s) = s eq "paper" ? "paper's" : "fine"
 
 set logscale xy
 set format y "10^{%L}"
@@ -43,9 +55,6 @@ if (figure eq "error") {
     set xrange [0.8:1300]
     set yrange [decade_low:decade_high]
     set label 1 "1/255" at 0.85, step * 1.12 left textcolor rgb "#6a7076" font ",12"
-    # The guide of slope -1/2 starts from random at the second R_r's first point, or the first's.
-    guide_rr = words(rr_list) > 1 ? word(rr_list, 2) : word(rr_list, 1)
-    stats data using (row("methods", "paper", "random") && column("rr") == guide_rr ? column("rmse") * sqrt(column("samples")) : NaN) name "GUIDE" nooutput
     plot for [i = 1:words(rr_list)] data using (row("methods", "paper", "regular") && column("rr") == word(rr_list, i) ? column("samples") : NaN):"rmse" \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.8 title "regular, R_r " . word(rr_list, i), \
         for [i = 1:words(rr_list)] data using (row("methods", "paper", "random") && column("rr") == word(rr_list, i) ? column("samples") : NaN):"rmse":(above_zero(column("rmse_low"))):"rmse_high" \
@@ -58,14 +67,17 @@ if (figure eq "split") {
     set title "Random normals taken apart: " . scene . ", R_r 30"
     set ylabel "noise and floor (full scale 1)"
     set xrange [0.8:1300]
-    set yrange [decade_low / 10:decade_high]
-    stats data using (row("methods", "paper", "random") && column("rr") == 30 ? column("noise") * sqrt(column("samples")) : NaN) name "GUIDE" nooutput
-    plot for [i = 1:words(settings)] data using (row("methods", word(settings, i), "random") && column("rr") == 30 ? column("samples") : NaN):"noise":(above_zero(column("noise_low"))):"noise_high" \
-            with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "noise: " . name(word(settings, i)), \
-        for [i = 1:words(settings)] data using (row("methods", word(settings, i), "random") && column("rr") == 30 && column("floor") > 0 ? column("samples") : NaN):"floor":(above_zero(column("floor_low"))):"floor_high" \
+    set yrange [1e-4:decade_high]
+    set bmargin 10.5
+    part(s, metric) = row("methods", s, "random") && column("rr") == 30 && column(metric) > 0 ? column("samples") : NaN
+    plot for [i = 1:words(settings)] data using (part(word(settings, i), "noise")):"noise":(above_zero(column("noise_low"))):"noise_high" \
+            with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "noise, " . name(word(settings, i)), \
+        for [i = 1:words(settings)] data using (part(word(settings, i), "floor")):"floor":(above_zero(column("floor_low"))):"floor_high" \
             with yerrorbars linetype i dashtype 1 pointtype 2 * i + 2 pointsize 0.9 notitle, \
-        for [i = 1:words(settings)] data using (row("methods", word(settings, i), "random") && column("rr") == 30 && column("floor") > 0 ? column("samples") : NaN):"floor" \
-            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "floor: " . name(word(settings, i)), \
+        for [i = 1:words(settings)] data using (part(word(settings, i), "floor")):"floor" \
+            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "floor, " . name(word(settings, i)), \
+        for [i = 1:words(settings)] data using (part(word(settings, i), "floor_centre")):"floor_centre" \
+            with linespoints linetype i + 2 dashtype 4 pointtype 2 * i + 6 pointsize 0.9 title "floor − parallax, " . name(word(settings, i)), \
         step with lines linestyle 90 title "1/255", \
         GUIDE_max / sqrt(x) with lines linestyle 90 dashtype 3 title "slope −1/2"
 }
@@ -73,39 +85,41 @@ if (figure eq "split") {
 if (figure eq "floor") {
     set title "What samples cannot remove: " . scene . ", R_r 30, float normals"
     set xlabel "environment map, texels along an edge of a face"
-    set ylabel "error of the mean over seeds (full scale 1)"
+    set ylabel "floor: root of bias² (full scale 1)"
     set xtics (8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
     here(x) = strcol("scene") eq scene && strcol("series") eq "floor" ? x : NaN
+    positive(x) = x > 0 ? x : NaN
     stats data using (here(column("env_size_px"))) name "SIZE" nooutput
-    stats data using (here(column("floor") > 0 ? column("floor") : NaN)) name "FLOOR" nooutput
-    stats data using (here(column("texel_error") > 0 ? column("texel_error") : NaN)) name "TEXEL" nooutput
+    stats data using (here(positive(column("floor")))) name "FLOOR" nooutput
+    stats data using (here(positive(column("floor_centre")))) name "CENTRE" nooutput
+    stats data using (here(column("parallax"))) name "PARALLAX" nooutput
     set xrange [SIZE_min / 1.3:SIZE_max * 1.3]
-    low = TEXEL_min < step ? TEXEL_min : step
-    high = FLOOR_max > TEXEL_max ? FLOOR_max : TEXEL_max
-    set yrange [10 ** floor(log10(low)):10 ** ceil(log10(high))]
+    low = CENTRE_min < step ? CENTRE_min : step
+    set yrange [10 ** floor(log10(low)):10 ** ceil(log10(FLOOR_max > PARALLAX_max ? FLOOR_max : PARALLAX_max))]
     plot data using (here(column("env_size_px"))):"floor":(above_zero(column("floor_low"))):"floor_high" \
-            with yerrorlines linetype 1 pointsize 1 title "floor: error against the reference", \
-        data using (here(column("texel_error") > 0 ? column("env_size_px") : NaN)):"texel_error":(above_zero(column("texel_error_low"))):"texel_error_high" \
-            with yerrorlines linetype 2 dashtype 1 pointsize 1 title "texel error: against the largest map", \
+            with yerrorlines linetype 1 pointsize 1 title "against the reference", \
+        data using (here(positive(column("floor_centre")) > 0 ? column("env_size_px") : NaN)):"floor_centre":(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+            with yerrorlines linetype 2 dashtype 1 pointsize 1 title "seen from the object's centre", \
+        PARALLAX_max with lines linetype 3 dashtype 4 title "parallax alone", \
         step with lines linestyle 90 title "1/255", \
-        TEXEL_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1"
+        CENTRE_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1"
 }
 
 if (figure eq "time") {
     set title "Error against time: " . scene . ", R_r 30"
     set xlabel "median frame time in ms"
     set ylabel "RMSE of linear radiance (full scale 1)"
-    set xtics auto
+    set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
     set format x "%g"
     stats data using (strcol("scene") eq scene && column("frame_ms") > 0 ? column("frame_ms") : NaN) name "MS" nooutput
     set xrange [MS_min / 1.5:MS_max * 1.8]
-    set yrange [decade_low:decade_high]
-    timed(setting, method) = row("methods", setting, method) && column("frame_ms") > 0
-    label(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 1024
-    plot for [i = 1:words(settings)] data using (timed(word(settings, i), "regular") ? column("frame_ms") : NaN):"rmse" \
-            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular: " . name(word(settings, i)), \
-        for [i = 1:words(settings)] data using (timed(word(settings, i), "random") ? column("frame_ms") : NaN):"rmse":"frame_ms_low":"frame_ms_high":(above_zero(column("rmse_low"))):"rmse_high" \
-            with xyerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random: " . name(word(settings, i)), \
+    set yrange [(RMSE_min < step ? RMSE_min : step) / 1.5:RMSE_max * 1.5]
+    timed(setting, method) = row("methods", setting, method) && column("rr") == 30 && column("frame_ms") > 0
+    label(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 256 || n == 1024
+    plot for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "regular") ? column("frame_ms") : NaN):"rmse" \
+            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular, settings " . name(word(timed_settings, i)), \
+        for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "random") ? column("frame_ms") : NaN):"rmse":"frame_ms_low":"frame_ms_high":(above_zero(column("rmse_low"))):"rmse_high" \
+            with xyerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random, settings " . name(word(timed_settings, i)), \
         data using (timed("paper", "random") && label(column("samples")) ? column("frame_ms") : NaN):"rmse":(sprintf("%g", column("samples"))) \
             with labels offset 0.9, 0.7 font ",12" textcolor rgb "#0072b2" notitle, \
         data using (timed("paper", "regular") && label(column("samples")) ? column("frame_ms") : NaN):"rmse":(sprintf("%g", column("samples"))) \

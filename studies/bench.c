@@ -36,7 +36,8 @@ int rl_bench_open(struct rl_bench *bench, const char *backend, int threads, cons
 
 void rl_bench_close(struct rl_bench *bench)
 {
-    rl_image_clear(&bench->reference);
+    rl_image_clear(&bench->reference[RL_LIGHT_FROM_POINT]);
+    rl_image_clear(&bench->reference[RL_LIGHT_FROM_OBJECT]);
     rl_gpu_close(bench->gpu);
     *bench = (struct rl_bench){0};
 }

@@ -5,7 +5,7 @@
  *     rl_bench_scene_make(&set, bench, &scene, "method=random samples=4 rr=30 width=320 height=240", 1, &error);
  *     rl_gpu_scene_frame(set->gpu_scene, &seconds, &error);
  *     rl_bench_scene_free(set);
- *     rl_bench_reference(&reference, bench, &scene, "rr=30 width=320 height=240", &error);     the truth for it
+ *     rl_bench_reference(&truth, bench, &scene, "rr=30 width=320 height=240", RL_LIGHT_FROM_POINT, &error);
  */
 #ifndef RL_STUDIES_BENCH_H
 #define RL_STUDIES_BENCH_H
@@ -26,8 +26,9 @@ struct rl_bench {
     int threads;              /* of the CPU renderer; 0: as many as the process may use */
     const char *cache;        /* folder where references are kept; made when first needed */
     struct rl_progress quiet; /* asks the owner's progress whether to stop, but reports nothing to it */
-    uint64_t reference_key;   /* of the reference kept in memory; 0: none */
-    struct rl_image reference;
+    /* References kept in memory, one of each kind (enum rl_light_from), with their keys; key 0: none. */
+    uint64_t reference_key[2];
+    struct rl_image reference[2];
 };
 
 /* Opens the backend (rl_gpu_open) and notes the provenance. */
@@ -58,8 +59,9 @@ int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struc
                      const char *parameters, uint64_t seed, struct rl_error *error);
 
 /* The reference image for a case: from memory, from the cache, or computed and then kept in both. What determines it, the
- * program included, is its key. The image belongs to the bench and is valid until the next call. */
+ * program included, is its key. The image belongs to the bench and is valid until the next call for the same `from`. From the object's centre
+ * (RL_LIGHT_FROM_OBJECT) lights are seen as environment maps see them: truth but for their parallax. */
 int rl_bench_reference(const struct rl_image **image, struct rl_bench *bench, const struct rl_scene *scene,
-                       const char *parameters, struct rl_error *error);
+                       const char *parameters, enum rl_light_from from, struct rl_error *error);
 
 #endif

@@ -180,7 +180,8 @@ static int make_row(struct rl_buffer *page, struct row *row, struct rl_bench *be
 {
     char parameters[256];
     parameters_of(parameters, row, "reference", 0);
-    int status = rl_bench_reference(&row->reference, bench, row->gallery->scene, parameters, error);
+    int status = rl_bench_reference(&row->reference, bench, row->gallery->scene, parameters,
+                                    RL_LIGHT_FROM_POINT, error);
     if (status == RL_OK)
         status = write_both(row->reference, row, "reference", &row->reference_clipped, error);
     for (int m = 0; m < METHODS && status == RL_OK; m++)

@@ -18,9 +18,9 @@ static uint64_t make_key(const struct rl_bench *bench, const struct rl_scene *sc
 {
     char text[256];
     int n = snprintf(text, sizeof text,
-                     "%016" PRIx64 " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s", scene->hash,
-                     bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance, s->attenuation,
-                     rl_frame_name(s->frame));
+                     "%016" PRIx64 " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d",
+                     scene->hash, bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance,
+                     s->attenuation, rl_frame_name(s->frame), (int)s->light_from);
     return rl_hash_bytes(RL_HASH_START, text, (size_t)n);
 }
 
@@ -66,7 +66,7 @@ static int find(struct rl_image *image, struct rl_bench *bench, const struct rl_
 }
 
 int rl_bench_reference(const struct rl_image **out, struct rl_bench *bench, const struct rl_scene *scene,
-                       const char *parameters, struct rl_error *error)
+                       const char *parameters, enum rl_light_from from, struct rl_error *error)
 {
     struct rl_settings settings;
     int status = rl_bench_settings(&settings, parameters, error);
@@ -74,23 +74,24 @@ int rl_bench_reference(const struct rl_image **out, struct rl_bench *bench, cons
         return status;
     settings.method = "reference";
     settings.samples = 0;
+    settings.light_from = from;
     if (settings.width == 0 || settings.height == 0) {
         settings.width = scene->width;
         settings.height = scene->height;
     }
     uint64_t key = make_key(bench, scene, &settings);
-    if (bench->reference_key != key) {
-        rl_image_clear(&bench->reference);
-        bench->reference_key = 0;
+    if (bench->reference_key[from] != key) {
+        rl_image_clear(&bench->reference[from]);
+        bench->reference_key[from] = 0;
         struct rl_image image = {0};
         status = find(&image, bench, scene, &settings, key, error);
         if (status != RL_OK) {
             rl_image_clear(&image);
             return rl_fail_prefix(error, "reference");
         }
-        bench->reference = image;
-        bench->reference_key = key;
+        bench->reference[from] = image;
+        bench->reference_key[from] = key;
     }
-    *out = &bench->reference;
+    *out = &bench->reference[from];
     return RL_OK;
 }

@@ -120,30 +120,31 @@ static int add_study(struct page *p, const struct rl_study *study, const struct 
     return status;
 }
 
-/* Pictures at the size, and with the reference, that the samples study used: they are in the cache already. */
+/* The scene of the samples study; at the film's size, or after a quick run at that run's. */
 static int add_gallery(struct page *p)
 {
     static const double rr[] = {30.0, 3.0};
     const struct rl_record *r = NULL;
-    for (size_t i = 0; i < rl_n_studies && !r; i++)
-        if (rl_studies[i] == rl_study_find("samples"))
+    bool quick = false;
+    for (size_t i = 0; i < rl_n_studies; i++)
+        if (rl_studies[i] == rl_study_find("samples")) {
             r = rl_run_find(&p->data->run[i], NULL, "method=random samples=4");
+            quick = strcmp(p->data->run[i].grid, rl_grid_name(RL_GRID_QUICK)) == 0;
+        }
     const char *path = r ? r->scene_path : "teapot-star";
-    struct rl_gallery gallery = {
-        .scene_name = r ? r->scene : path, .width = 320, .height = 240, .tolerance = 1e-4};
-    if (r && rl_parameter_number(r->parameters, "width") > 0.0) {
-        gallery.width = (int)rl_parameter_number(r->parameters, "width");
-        gallery.height = (int)rl_parameter_number(r->parameters, "height");
-        gallery.tolerance = rl_parameter_number(r->parameters, "tolerance");
-    }
-    gallery.rr = rr;
-    gallery.n_rr = sizeof rr / sizeof rr[0];
-    gallery.folder = p->options->folder;
     struct rl_scene scene = {0};
     int status = rl_study_scene_load(&scene, path, p->error);
     if (status != RL_OK)
         return status;
-    gallery.scene = &scene;
+    struct rl_gallery gallery = {
+        .scene_name = r ? r->scene : path,
+        .scene = &scene,
+        .width = r && quick ? (int)rl_parameter_number(r->parameters, "width") : scene.width,
+        .height = r && quick ? (int)rl_parameter_number(r->parameters, "height") : scene.height,
+        .tolerance = 1e-4,
+        .rr = rr,
+        .n_rr = sizeof rr / sizeof rr[0],
+        .folder = p->options->folder};
     struct rl_bench bench;
     status = rl_bench_open(&bench, p->options->backend, p->options->threads, p->options->cache, p->progress,
                            p->error);
@@ -158,9 +159,13 @@ static int add_gallery(struct page *p)
 static void add_provenance(struct page *p)
 {
     rl_buffer_add(&p->text, "<h2 id=\"provenance\">Where the figures come from</h2>\n");
-    for (size_t i = 0; i < rl_n_studies; i++)
-        if (p->data->run[i].n_records > 0)
-            rl_report_provenance(&p->text, &p->data->run[i]);
+    const struct rl_run *before = NULL;
+    for (size_t i = 0; i < rl_n_studies; i++) {
+        if (p->data->run[i].n_records == 0)
+            continue;
+        rl_report_provenance(&p->text, &p->data->run[i], before);
+        before = &p->data->run[i];
+    }
     rl_buffer_add(
         &p->text,
         "<h2 id=\"reproduce\">How to reproduce this page</h2>\n"

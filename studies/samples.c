@@ -2,111 +2,124 @@
  *
  * Methods regular and random over N against the reference, at several R_r, with the paper's settings (8-bit normal map,
  * environment map of 256 texels) and with fine ones (float normals, a large float map). Random with several seeds, so that
- * noise and bias come apart. Then N is held large and the environment map's size varied: what is left is the floor that
- * samples cannot remove, at first the map's texels, at last its single position. */
+ * noise and bias come apart. Then N is held and the environment map's size varied: what is left is the floor that samples
+ * cannot remove, and a second reference, which sees the lights from the object's centre, tells the map's texels from its single
+ * position. */
 #include "studies/samples.h"
 
 #include <stdbool.h>
 
-/* The three grids: lists end with 0. */
-struct grid {
-    int samples[13];
+/* Both methods at each R_r and N. Where there are rounds, all N of one R_r are one group, so that their clocks run side by
+ * side; else each N is a group of its own, soon done. Lists end with 0. */
+struct block {
+    bool fine; /* settings: the paper's, or fine ones */
     double rr[8];
-    int floor_env[12];
-    int floor_samples, floor_seeds;
-    int seeds, rounds, width, height;
-    double tolerance;
-    bool fine; /* also with fine settings, at R_r = fine_rr; full: at every R_r */
-    bool fine_everywhere;
-    int fine_env;
+    int samples[13];
+    int seeds, rounds;
 };
 
+struct grid {
+    int width, height;
+    double tolerance;
+    struct block block[4]; /* one without seeds ends the list */
+    int floor_env[12], floor_samples, floor_seeds;
+};
+
+/* Large N are dear and have little noise: fewer seeds and no clock there. */
 static const struct grid grids[] = {
-    [RL_GRID_QUICK] = {.samples = {1, 4, 13, 32, 64},
-                       .rr = {3, 30},
+    [RL_GRID_QUICK] = {.width = 160,
+                       .height = 120,
+                       .tolerance = 1e-4,
+                       .block = {{false, {3}, {1, 4, 13, 32, 64}, 4, 0},
+                                 {false, {30}, {1, 4, 13, 32, 64}, 4, 6}},
                        .floor_env = {16, 64, 256, 512},
                        .floor_samples = 64,
-                       .floor_seeds = 4,
-                       .seeds = 4,
-                       .rounds = 6,
-                       .width = 160,
-                       .height = 120,
-                       .tolerance = 1e-4},
-    [RL_GRID_DEFAULT] = {.samples = {1, 2, 4, 8, 13, 16, 32, 64, 128, 256, 512, 1024},
-                         .rr = {3, 30, 300},
-                         .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048},
-                         .floor_samples = 1024,
-                         .floor_seeds = 4,
-                         .seeds = 8,
-                         .rounds = 7,
-                         .width = 320,
+                       .floor_seeds = 4},
+    [RL_GRID_DEFAULT] = {.width = 320,
                          .height = 240,
                          .tolerance = 1e-4,
-                         .fine = true,
-                         .fine_env = 2048},
-    [RL_GRID_FULL] = {.samples = {1, 2, 4, 8, 13, 16, 32, 64, 128, 256, 512, 1024},
-                      .rr = {1, 3, 10, 30, 100, 300, 1000},
-                      .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096},
-                      .floor_samples = 1024,
-                      .floor_seeds = 8,
-                      .seeds = 16,
-                      .rounds = 30,
-                      .width = 640,
+                         .block = {{false, {3, 300}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 8, 0},
+                                   {false, {30}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 8, 9},
+                                   {false, {30}, {512, 1024}, 4, 0},
+                                   {true, {30}, {1, 4, 16, 64, 256, 1024}, 4, 0}},
+                         .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048},
+                         .floor_samples = 256,
+                         .floor_seeds = 4},
+    [RL_GRID_FULL] = {.width = 640,
                       .height = 480,
                       .tolerance = 1e-5,
-                      .fine = true,
-                      .fine_everywhere = true,
-                      .fine_env = 2048},
+                      .block = {{false,
+                                 {1, 3, 10, 30, 100, 300, 1000},
+                                 {1, 2, 4, 8, 13, 16, 32, 64, 128, 256, 512, 1024},
+                                 16,
+                                 30},
+                                {true,
+                                 {1, 3, 10, 30, 100, 300, 1000},
+                                 {1, 2, 4, 8, 13, 16, 32, 64, 128, 256, 512, 1024},
+                                 16,
+                                 0}},
+                      .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096},
+                      .floor_samples = 1024,
+                      .floor_seeds = 8},
 };
 
-static const double fine_rr = 30.0;
+static const double floor_rr = 30.0;
 
-/* One group: N normals by both methods. Timed only where the time is shown. */
-static int plan_group(struct rl_run *run, const struct rl_place *place, const struct grid *g, int group,
-                      bool fine, int samples, double rr, struct rl_error *error)
+/* One group: N normals by both methods. */
+static int plan_methods(struct rl_run *run, const struct rl_place *place, const struct grid *g,
+                        const struct block *b, int group, int samples, double rr, struct rl_error *error)
 {
     static const char *const method[] = {"regular", "random"};
-    bool timed = rr == fine_rr;
     for (int m = 0; m < 2; m++)
         if (!rl_run_add(run, place, group, error,
-                        "series=methods setting=%s method=%s samples=%d rr=%g normal_bits=%s env_size=%d "
-                        "env_format=%s "
-                        "seeds=%d rounds=%d width=%d height=%d tolerance=%g",
-                        fine ? "fine" : "paper", method[m], samples, rr, fine ? "float" : "8",
-                        fine ? g->fine_env : 256, fine ? "rgba32f" : "rgba8", m ? g->seeds : 1,
-                        timed ? g->rounds : 0, g->width, g->height, g->tolerance))
+                        "series=methods setting=%s method=%s samples=%d rr=%g %s seeds=%d rounds=%d width=%d "
+                        "height=%d tolerance=%g",
+                        b->fine ? "fine" : "paper", method[m], samples, rr,
+                        b->fine ? "normal_bits=float env_size=2048 env_format=rgba16f"
+                                : "normal_bits=8 env_size=256 env_format=rgba8",
+                        m ? b->seeds : 1, b->rounds, g->width, g->height, g->tolerance))
             return RL_ERR_SYSTEM;
     return RL_OK;
 }
 
-/* One group of all map sizes: the same normals meet each map, so that what the maps differ by is not lost in noise. */
 static int plan_floor(struct rl_run *run, const struct rl_place *place, const struct grid *g, int group,
-                      struct rl_error *error)
+                      int env_size, struct rl_error *error)
 {
-    for (int e = 0; g->floor_env[e] > 0; e++)
-        if (!rl_run_add(
-                run, place, group, error,
-                "series=floor setting=floor method=random samples=%d rr=%g normal_bits=float env_size=%d "
-                "env_format=rgba16f seeds=%d rounds=0 width=%d height=%d tolerance=%g",
-                g->floor_samples, fine_rr, g->floor_env[e], g->floor_seeds, g->width, g->height,
-                g->tolerance))
-            return RL_ERR_SYSTEM;
-    return RL_OK;
+    return rl_run_add(
+               run, place, group, error,
+               "series=floor setting=floor method=random samples=%d rr=%g normal_bits=float env_size=%d "
+               "env_format=rgba16f seeds=%d rounds=0 width=%d height=%d tolerance=%g",
+               g->floor_samples, floor_rr, env_size, g->floor_seeds, g->width, g->height, g->tolerance)
+               ? RL_OK
+               : RL_ERR_SYSTEM;
 }
 
-/* R_r outermost: all cases of one reference together. */
+/* R_r outermost: the cases of one reference together. */
+static int plan_block(struct rl_run *run, const struct rl_place *place, const struct grid *g,
+                      const struct block *b, int *group, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (int r = 0; b->rr[r] > 0.0; r++) {
+        for (int n = 0; b->samples[n] > 0 && status == RL_OK; n++) {
+            status = plan_methods(run, place, g, b, *group, b->samples[n], b->rr[r], error);
+            *group += b->rounds == 0;
+        }
+        *group += b->rounds > 0;
+    }
+    return status;
+}
+
 static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
                 struct rl_error *error)
 {
     const struct grid *g = &grids[grid];
+    const size_t n_blocks = sizeof g->block / sizeof g->block[0];
     int status = RL_OK;
-    for (int r = 0; g->rr[r] > 0.0; r++) {
-        bool fine = g->fine && (g->fine_everywhere || g->rr[r] == fine_rr);
-        for (int f = 0; f <= (fine ? 1 : 0); f++)
-            for (int n = 0; g->samples[n] > 0 && status == RL_OK; n++)
-                status = plan_group(run, place, g, group++, f > 0, g->samples[n], g->rr[r], error);
-    }
-    return status == RL_OK ? plan_floor(run, place, g, group, error) : status;
+    for (const struct block *b = g->block; b < g->block + n_blocks && b->seeds > 0 && status == RL_OK; b++)
+        status = plan_block(run, place, g, b, &group, error);
+    for (int e = 0; g->floor_env[e] > 0 && status == RL_OK; e++)
+        status = plan_floor(run, place, g, group++, g->floor_env[e], error);
+    return status;
 }
 
 #define WITH_INTERVAL(name)                                                                                  \
@@ -131,7 +144,8 @@ static const struct rl_column columns[] = {
     WITH_INTERVAL("rmse"),
     WITH_INTERVAL("noise"),
     WITH_INTERVAL("floor"),
-    WITH_INTERVAL("texel_error"),
+    WITH_INTERVAL("floor_centre"),
+    {"parallax", RL_COLUMN_VALUE, "parallax"},
     WITH_INTERVAL("bias"),
     WITH_INTERVAL("mae"),
     WITH_INTERVAL("relmse"),
@@ -155,14 +169,16 @@ static const struct rl_figure figures[] = {
      "(regular has no "
      "seed). Grey: slope -1/2, the fall of pure noise, and 1/255, one step of an 8-bit frame buffer."},
     {"split", "Random sampling taken apart at R_r = 30: noise (what more samples remove) and floor (what "
-              "they do not), with the "
-              "paper's settings and with fine ones."},
+              "they do not). Floor − parallax: "
+              "against a reference that sees the lights from the object's centre. Settings paper's: 8-bit "
+              "normals, map of 256 "
+              "texels; fine: float normals, half-float map of 2048."},
     {"floor", "What no sample removes, against the environment map's size, at large N and with float "
-              "normals. Texel error: the "
-              "difference to the largest map, with the same normals. The floor stops falling where the texel "
-              "error has become small beside "
-              "the map's other fault, its single position: it is taken at the object's centre, not at each "
-              "point (parallax)."},
+              "normals. The map has two faults: "
+              "its texels, and its single position, the object's centre, from which the lights are seen for "
+              "every point (parallax). "
+              "Against a reference that sees the lights from there too, only the texels' error is left, and "
+              "it falls."},
     {"time", "Error against time: down and left is better. Each point is a number of samples; times are "
              "medians of interleaved "
              "frames."},

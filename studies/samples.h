@@ -4,10 +4,10 @@
 
 #include "studies/study.h"
 
-/* Two kinds of groups: "series=methods", the methods at one N, R_r and setting; "series=floor", env_size ascending at one N
- * and R_r with float normals, the largest map last. Metrics: rmse, mae, bias, relmse, max; of squared error over seeds bias2 and
- * variance, as radiance floor and noise (their roots); texel_error (floor series: root of the bias against the largest map);
- * frame_ms where timed, with its series. */
+/* Two kinds of cases: "series=methods", by setting, R_r and N; "series=floor", over env_size at one N and R_r with
+ * float normals. Metrics: rmse, mae, bias, relmse, max; of squared error over seeds bias2 and variance, and their roots floor
+ * and noise; floor_centre, the same against a reference that sees the lights from the object's centre, and parallax, the RMSE
+ * between the two references; frame_ms where timed, with its series. */
 int rl_samples_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                        const struct rl_scene *scene, struct rl_error *error);
 

@@ -1,6 +1,7 @@
 /* The claims that the study `samples` judges. What the paper says or implies about the number of samples, and what follows from
  * the method: each from figures in the database, never from memory. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -129,10 +130,10 @@ static double samples_needed(const struct view *v, double rr, int end)
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(v, "random", N[i], rr, "rmse");
         if (!m)
-            return NAN;
+            continue;
         double e = end < 0 ? m->low : end > 0 ? m->high : m->value;
         if (e <= step_of_8_bits) {
-            if (i == 0 || !(e > 0.0))
+            if (isnan(before) || !(e > 0.0))
                 return N[i];
             double t = log(before / step_of_8_bits) / log(before / e);
             return before_n * pow(N[i] / before_n, t);
@@ -140,7 +141,7 @@ static double samples_needed(const struct view *v, double rr, int end)
         before = e;
         before_n = N[i];
     }
-    return n ? INFINITY : NAN;
+    return isnan(before) ? NAN : INFINITY;
 }
 
 static int claim_enough(const struct view *v, const double *rr, size_t n)
@@ -199,21 +200,25 @@ static int claim_slope(const struct view *v, const double *rr, size_t n)
 /* Of the squared error at the largest N, how much is bias: what no further sample removes. */
 static int claim_bias_share(const struct view *v, const double *rr, size_t n)
 {
-    struct rl_claim *c = begin_claim(v, "ours: with the paper's settings more samples stop helping: at the "
-                                        "largest N most of the squared error is bias");
-    double N[AXIS_MAX];
-    size_t n_samples = axis(v, "series=methods setting=paper method=random", "samples", N);
+    struct rl_claim *c =
+        begin_claim(v, "ours: with the paper's settings more samples stop helping: at the largest "
+                       "N most of the squared error is bias");
     if (!c)
         return RL_ERR_SYSTEM;
-    for (size_t i = 0; i < n && n_samples; i++) {
+    for (size_t i = 0; i < n; i++) {
+        char pattern[96];
+        snprintf(pattern, sizeof pattern, "series=methods setting=paper method=random rr=%g", rr[i]);
+        double N[AXIS_MAX];
+        size_t n_samples = axis(v, pattern, "samples", N);
+        if (n_samples == 0)
+            continue;
         const struct rl_metric *b = find(v, "random", N[n_samples - 1], rr[i], "bias2");
         const struct rl_metric *s = find(v, "random", N[n_samples - 1], rr[i], "variance");
-        if (!b || !s)
-            continue;
         append(c->note, sizeof c->note, rr[i], b->value / (b->value + s->value));
         if (rr[i] != nearest_rr(rr, n))
             continue;
-        double low = fmax(b->low, 0.0) / (fmax(b->low, 0.0) + s->high), high = b->high / (b->high + s->low);
+        double bias_low = fmax(b->low, 0.0);
+        double low = bias_low / (bias_low + s->high), high = b->high / (b->high + s->low);
         rl_claim_value(c, b->value / (b->value + s->value), low, high, "share of MSE");
         c->verdict = rl_verdict_at_least(low, high, 0.5);
     }
@@ -236,32 +241,50 @@ static const struct rl_metric *find_floor(const struct view *v, double env_size,
     return r ? rl_record_metric(r, metric) : NULL;
 }
 
-/* What is left at the largest map, and what the paper's 256 texels add to it: position against resolution. */
+/* What is left at the largest map, and whether the map's position explains it. */
 static int claim_floor(const struct view *v)
 {
     double size[AXIS_MAX];
     size_t n = axis(v, "series=floor", "env_size", size);
-    const struct rl_metric *best = n ? find_floor(v, size[n - 1], "floor") : NULL;
-    struct rl_claim *c = begin_claim(
-        v, "ours: neither samples nor texels bring the error below 1/255: the environment map's single "
-           "position (parallax) leaves a floor");
-    if (!c)
-        return RL_ERR_SYSTEM;
-    if (best) {
+    static const struct {
+        const char *text, *metric;
+        bool at_least;
+    } row[] = {
+        {"ours: neither samples nor texels bring the error to 1/255: a floor remains at the largest map",
+         "floor", true},
+        {"ours: that floor is the map's single position: seen from the object's centre, the error is below "
+         "1/255",
+         "floor_centre", false},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        struct rl_claim *c = begin_claim(v, row[k].text);
+        if (!c)
+            return RL_ERR_SYSTEM;
+        const struct rl_metric *best = n ? find_floor(v, size[n - 1], row[k].metric) : NULL;
+        if (!best)
+            continue;
         rl_claim_value(c, best->value, best->low, best->high, "RMSE");
         snprintf(c->note, sizeof c->note, "at R_r %g, float normals, a map of %g texels a face edge",
                  central_rr, size[n - 1]);
-        c->verdict = rl_verdict_at_least(best->low, best->high, step_of_8_bits);
+        c->verdict = row[k].at_least ? rl_verdict_at_least(best->low, best->high, step_of_8_bits)
+                                     : rl_verdict_at_most(best->low, best->high, step_of_8_bits);
     }
-    c = begin_claim(
-        v, "ours: 256 texels are enough: their error is less than the one from the map's single position");
+    return RL_OK;
+}
+
+/* Resolution against position. */
+static int claim_texels(const struct view *v)
+{
+    struct rl_claim *c = begin_claim(
+        v, "ours: 256 texels are enough: their error is less than that of the map's single position (ratio)");
     if (!c)
         return RL_ERR_SYSTEM;
-    const struct rl_metric *texels = find_floor(v, 256, "texel_error");
-    if (best && texels) {
-        ratio_value(c, texels, best, "1");
+    const struct rl_metric *texels = find_floor(v, 256, "floor_centre"),
+                           *position = find_floor(v, 256, "parallax");
+    if (texels && position) {
+        ratio_value(c, texels, position, "1");
         snprintf(c->note, sizeof c->note, "at R_r %g: texels %.3g, position %.3g", central_rr, texels->value,
-                 best->value);
+                 position->value);
         c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
     }
     return RL_OK;
@@ -311,6 +334,8 @@ int rl_samples_judge(struct rl_claims *claims, const struct rl_run *run, struct 
             status = claim[k](&v, rr, n);
         if (status == RL_OK)
             status = claim_floor(&v);
+        if (status == RL_OK)
+            status = claim_texels(&v);
     }
     return status;
 }

@@ -8,7 +8,7 @@
 #include "measure/timing.h"
 #include "studies/samples.h"
 
-enum { SEEDS_MAX = 64, ARMS_MAX = 2 };
+enum { SEEDS_MAX = 64, ARMS_MAX = RL_TIMING_ARMS_MAX };
 
 /* Adds metrics until one fails; later calls do nothing. */
 struct adder {
@@ -68,26 +68,42 @@ static int add_metrics(struct adder *a, const struct rl_image *image, size_t n,
     return a->status;
 }
 
-/* Noise and floor: what more seeds would average out and what they would not. One picture of a fixed pattern has no noise. */
-static int add_split(struct adder *a, const struct rl_image *image, size_t n,
-                     const struct rl_image *reference)
+/* Squared error over seeds, split. One picture of a fixed pattern has no noise: all its error is bias. */
+static int split(struct rl_bias_variance *s, const struct rl_image *image, size_t n,
+                 const struct rl_image *reference, struct rl_error *error)
 {
-    struct rl_bias_variance s = {0};
-    if (n == 1) {
-        const struct rl_metric *rmse = rl_record_metric(a->record, "rmse");
-        s.mse = s.bias2 = s.bias2_low = s.bias2_high = rmse->value * rmse->value;
-    } else {
-        const struct rl_image *pointer[SEEDS_MAX];
-        for (size_t k = 0; k < n; k++)
-            pointer[k] = &image[k];
-        int status = rl_bias_variance_compute(&s, pointer, n, reference, a->error);
-        if (status != RL_OK)
-            return status;
-    }
+    const struct rl_image *pointer[SEEDS_MAX];
+    for (size_t k = 0; k < n; k++)
+        pointer[k] = &image[k];
+    if (n > 1)
+        return rl_bias_variance_compute(s, pointer, n, reference, error);
+    struct rl_metrics m;
+    int status = rl_metrics_compute(&m, image, reference, error);
+    double mse = m.rmse * m.rmse;
+    *s = (struct rl_bias_variance){.bias2 = mse, .bias2_low = mse, .bias2_high = mse, .mse = mse};
+    return status;
+}
+
+/* Noise and floor: what more samples would average out and what they would not; and the floor that is left when the reference
+ * too sees the lights from the object's centre, which takes the map's parallax out of it. */
+static int add_split(struct adder *a, const struct rl_image *image, size_t n, const struct rl_image *truth,
+                     const struct rl_image *centre)
+{
+    struct rl_bias_variance s, c;
+    struct rl_metrics parallax;
+    int status = split(&s, image, n, truth, a->error);
+    if (status == RL_OK)
+        status = split(&c, image, n, centre, a->error);
+    if (status == RL_OK)
+        status = rl_metrics_compute(&parallax, centre, truth, a->error);
+    if (status != RL_OK)
+        return status;
     add(a, "bias2", s.bias2, s.bias2_low, s.bias2_high, "1");
     add(a, "variance", s.variance, s.variance_low, s.variance_high, "1");
     add(a, "floor", root(s.bias2), root(s.bias2_low), root(s.bias2_high), "1");
     add(a, "noise", root(s.variance), root(s.variance_low), root(s.variance_high), "1");
+    add(a, "floor_centre", root(c.bias2), root(c.bias2_low), root(c.bias2_high), "1");
+    add(a, "parallax", parallax.rmse, parallax.rmse, parallax.rmse, "1");
     return a->status;
 }
 
@@ -97,19 +113,13 @@ struct pictures {
     struct rl_image image[SEEDS_MAX];
 };
 
-static void clear_pictures(struct pictures *p)
-{
-    for (size_t k = 0; k < p->n; k++)
-        rl_image_clear(&p->image[k]);
-    p->n = 0;
-}
-
 /* Draws the pictures of all seeds; the scene of the last one is handed on to be timed. */
 static int draw(struct pictures *p, struct rl_bench_scene **last, struct rl_bench *bench,
                 const struct rl_scene *scene, const struct rl_record *r, struct rl_error *error)
 {
     double seeds = rl_parameter_number(r->parameters, "seeds");
-    *p = (struct pictures){0};
+    p->n = 0;
+    memset(p->image, 0, sizeof p->image);
     if (!(seeds >= 1.0 && seeds <= SEEDS_MAX))
         return rl_fail(error, RL_ERR_INPUT, "seeds=%g: expected 1 to %d", seeds, SEEDS_MAX);
     int status = RL_OK;
@@ -127,75 +137,24 @@ static int draw(struct pictures *p, struct rl_bench_scene **last, struct rl_benc
     return status;
 }
 
-/* Draws a case and holds it against the reference. The pictures are the caller's to clear, whatever is returned. */
-static int measure_error(struct pictures *p, struct rl_record *r, struct rl_bench_scene **last,
-                         struct rl_bench *bench, const struct rl_scene *scene, struct rl_error *error)
-{
-    int status = draw(p, last, bench, scene, r, error);
-    const struct rl_image *reference = NULL;
-    if (status == RL_OK)
-        status = rl_bench_reference(&reference, bench, scene, r->parameters, error);
-    struct adder a = {r, error, RL_OK};
-    if (status == RL_OK)
-        status = add_metrics(&a, p->image, p->n, reference);
-    return status == RL_OK ? add_split(&a, p->image, p->n, reference) : status;
-}
-
-/* Turns the pictures into their differences to `best`, seed by seed, and `best`'s first into black: what the differences are
- * to be held against. */
-static void subtract(struct pictures *p, const struct pictures *best, struct rl_image *black)
-{
-    size_t n = (size_t)black->width * (size_t)black->height;
-    for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < p->n; k++)
-            for (int c = 0; c < 3; c++)
-                p->image[k].data[4 * i + (size_t)c] -= best->image[k].data[4 * i + (size_t)c];
-        for (int c = 0; c < 3; c++)
-            black->data[4 * i + (size_t)c] = 0.0f;
-        black->data[4 * i + 3] = best->image[0].data[4 * i + 3];
-    }
-}
-
-/* What the map's size alone does: bias of the difference to the same normals' picture with the largest map. */
-static int add_texel_error(struct rl_record *r, struct pictures *p, const struct pictures *best,
-                           struct rl_error *error)
-{
-    struct rl_image black = {0};
-    int status = rl_image_allocate(&black, best->image[0].width, best->image[0].height, 4, error);
-    if (status != RL_OK)
-        return status;
-    subtract(p, best, &black);
-    const struct rl_image *pointer[SEEDS_MAX];
-    for (size_t k = 0; k < p->n; k++)
-        pointer[k] = &p->image[k];
-    struct rl_bias_variance s;
-    status = rl_bias_variance_compute(&s, pointer, p->n, &black, error);
-    rl_image_clear(&black);
-    if (status != RL_OK)
-        return status;
-    return rl_record_metric_add(r, "texel_error", root(s.bias2), root(s.bias2_low), root(s.bias2_high), "1",
-                                error);
-}
-
-/* A group of map sizes, the largest last: it is drawn first, and the others are compared with it. */
-static int measure_floor(struct rl_record *records, size_t n, struct rl_bench *bench,
+/* Draws a case and holds it against the references. */
+static int measure_error(struct rl_record *r, struct rl_bench_scene **last, struct rl_bench *bench,
                          const struct rl_scene *scene, struct rl_error *error)
 {
-    struct pictures *best = calloc(2, sizeof *best);
-    if (!best)
-        return rl_fail_memory(error, "pictures");
-    struct pictures *other = best + 1;
-    struct rl_bench_scene *set = NULL;
-    int status = measure_error(best, &records[n - 1], &set, bench, scene, error);
-    for (size_t i = 0; i + 1 < n && status == RL_OK; i++) {
-        status = measure_error(other, &records[i], &set, bench, scene, error);
-        if (status == RL_OK)
-            status = add_texel_error(&records[i], other, best, error);
-        clear_pictures(other);
-    }
-    clear_pictures(best);
-    rl_bench_scene_free(set);
-    free(best);
+    struct pictures p;
+    const struct rl_image *truth = NULL, *centre = NULL;
+    int status = draw(&p, last, bench, scene, r, error);
+    if (status == RL_OK)
+        status = rl_bench_reference(&truth, bench, scene, r->parameters, RL_LIGHT_FROM_POINT, error);
+    if (status == RL_OK)
+        status = rl_bench_reference(&centre, bench, scene, r->parameters, RL_LIGHT_FROM_OBJECT, error);
+    struct adder a = {r, error, RL_OK};
+    if (status == RL_OK)
+        status = add_metrics(&a, p.image, p.n, truth);
+    if (status == RL_OK)
+        status = add_split(&a, p.image, p.n, truth, centre);
+    for (size_t k = 0; k < p.n; k++)
+        rl_image_clear(&p.image[k]);
     return status;
 }
 
@@ -216,7 +175,7 @@ static int measure_time(struct rl_record *records, struct rl_bench_scene **set, 
     options.warm_up = 1;
     options.min_rounds = rounds;
     options.max_rounds = 4 * rounds;
-    options.max_seconds = 0.05 * rounds;
+    options.max_seconds = 0.4 * rounds;
     struct rl_timing_arm arm[ARMS_MAX];
     for (size_t i = 0; i < n; i++)
         arm[i] = (struct rl_timing_arm){records[i].parameters, frame, set[i]};
@@ -234,34 +193,19 @@ static int measure_time(struct rl_record *records, struct rl_bench_scene **set, 
     return status;
 }
 
-/* The methods at one N. */
-static int measure_methods(struct rl_record *records, size_t n, struct rl_bench *bench,
-                           const struct rl_scene *scene, struct rl_error *error)
+int rl_samples_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
+                       const struct rl_scene *scene, struct rl_error *error)
 {
-    struct pictures *pictures = calloc(1, sizeof *pictures);
-    if (!pictures)
-        return rl_fail_memory(error, "pictures");
+    if (n > ARMS_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, at most %d are timed together", n,
+                       ARMS_MAX);
     struct rl_bench_scene *set[ARMS_MAX] = {NULL};
     int status = RL_OK;
-    for (size_t i = 0; i < n && status == RL_OK; i++) {
-        status = measure_error(pictures, &records[i], &set[i], bench, scene, error);
-        clear_pictures(pictures);
-    }
+    for (size_t i = 0; i < n && status == RL_OK; i++)
+        status = measure_error(&records[i], &set[i], bench, scene, error);
     if (status == RL_OK)
         status = measure_time(records, set, n, bench, error);
     for (size_t i = 0; i < n; i++)
         rl_bench_scene_free(set[i]);
-    free(pictures);
     return status;
-}
-
-int rl_samples_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
-                       const struct rl_scene *scene, struct rl_error *error)
-{
-    if (rl_parameters_match(records[0].parameters, "series=floor"))
-        return measure_floor(records, n, bench, scene, error);
-    if (n > ARMS_MAX)
-        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, at most %d are timed together", n,
-                       ARMS_MAX);
-    return measure_methods(records, n, bench, scene, error);
 }

@@ -25,13 +25,13 @@ static void value_with_interval(struct rl_buffer *page, const struct rl_claim *c
     if (isnan(c->value))
         snprintf(text, sizeof text, "not measured");
     else if (isinf(c->value))
-        snprintf(text, sizeof text, "more than was tried:");
+        snprintf(text, sizeof text, "more than was tried");
     else if (c->low < c->value || c->high > c->value)
         snprintf(text, sizeof text, "%.4g [%.4g, %.4g]", c->value, c->low, c->high);
     else
         snprintf(text, sizeof text, "%.4g", c->value);
     rl_html_text(page, text);
-    if (c->unit[0] && strcmp(c->unit, "1") != 0) {
+    if (isfinite(c->value) && c->unit[0] && strcmp(c->unit, "1") != 0) {
         rl_buffer_add(page, " ");
         rl_html_text(page, c->unit);
     }
@@ -112,24 +112,10 @@ static void pair(struct rl_buffer *page, const char *name, const char *value)
     rl_buffer_add(page, "</tr>\n");
 }
 
-void rl_report_provenance(struct rl_buffer *page, const struct rl_run *run)
+/* The runs' scenes, each once. */
+static void scene_pairs(struct rl_buffer *page, const struct rl_run *run)
 {
-    const struct rl_provenance *p = &run->provenance;
     char text[256];
-    rl_buffer_add(page, "<table>\n");
-    snprintf(text, sizeof text, "%s, grid %s, begun %s", run->study, run->grid, run->started);
-    pair(page, "study", text);
-    snprintf(text, sizeof text, "roughlight %s, commit %s%s, code %s", p->version, p->commit,
-             p->dirty ? " with changes" : "", p->code_hash);
-    pair(page, "program", text);
-    pair(page, "compiler", p->compiler);
-    pair(page, "flags", p->cflags);
-    snprintf(text, sizeof text, "%s, %d threads", p->cpu, p->threads);
-    pair(page, "CPU", text);
-    snprintf(text, sizeof text, "%s: %s", p->backend, p->renderer);
-    pair(page, "renderer", text);
-    pair(page, "OpenGL", p->gl_version);
-    pair(page, "system", p->os);
     const char *last = "";
     for (size_t i = 0; i < run->n_records; i++) {
         const struct rl_record *r = &run->record[i];
@@ -138,6 +124,34 @@ void rl_report_provenance(struct rl_buffer *page, const struct rl_run *run)
         last = r->scene_hash;
         snprintf(text, sizeof text, "%.180s, hash %s", r->scene_path, r->scene_hash);
         pair(page, "scene", text);
+    }
+}
+
+void rl_report_provenance(struct rl_buffer *page, const struct rl_run *run, const struct rl_run *before)
+{
+    const struct rl_provenance *p = &run->provenance;
+    char text[256], environment[RL_HASH_TEXT], same[RL_HASH_TEXT] = "";
+    rl_provenance_environment(p, environment);
+    if (before)
+        rl_provenance_environment(&before->provenance, same);
+    rl_buffer_add(page, "<table>\n");
+    snprintf(text, sizeof text, "%s, grid %s, begun %s", run->study, run->grid, run->started);
+    pair(page, "study", text);
+    scene_pairs(page, run);
+    if (strcmp(environment, same) == 0) {
+        pair(page, "environment", "the same as above");
+    } else {
+        snprintf(text, sizeof text, "roughlight %s, commit %s%s, code %s", p->version, p->commit,
+                 p->dirty ? " with changes" : "", p->code_hash);
+        pair(page, "program", text);
+        pair(page, "compiler", p->compiler);
+        pair(page, "flags", p->cflags);
+        snprintf(text, sizeof text, "%s, %d threads", p->cpu, p->threads);
+        pair(page, "CPU", text);
+        snprintf(text, sizeof text, "%s: %s", p->backend, p->renderer);
+        pair(page, "renderer", text);
+        pair(page, "OpenGL", p->gl_version);
+        pair(page, "system", p->os);
     }
     rl_buffer_add(page, "</table>\n");
 }

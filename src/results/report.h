@@ -25,8 +25,9 @@ void rl_report_count(char text[], size_t size, const struct rl_claims *claims);
 void rl_report_table(struct rl_buffer *page, const struct rl_table *table, const struct rl_run *run,
                      const char *file);
 
-/* Machine, program and renderer that measured the run; its scenes and their hashes. */
-void rl_report_provenance(struct rl_buffer *page, const struct rl_run *run);
+/* The run's scenes and their hashes; program, machine and renderer that measured it, unless `before`, the run shown
+ * before it (or NULL), has the same. */
+void rl_report_provenance(struct rl_buffer *page, const struct rl_run *run, const struct rl_run *before);
 
 /* Cases planned but not measured, and cases that failed with their messages; nothing if there are none. */
 void rl_report_missing(struct rl_buffer *page, const struct rl_run *run);

@@ -62,7 +62,7 @@ static void test_page(void **state)
     rl_html_begin(&page, hostile);
     rl_report_claims(&page, &claims);
     rl_report_table(&page, &table, &run, hostile);
-    rl_report_provenance(&page, &run);
+    rl_report_provenance(&page, &run, NULL);
     rl_report_missing(&page, &run);
     rl_html_figure(&page, hostile, hostile, hostile, links);
     rl_html_end(&page);

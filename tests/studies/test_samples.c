@@ -16,7 +16,7 @@ static const struct rl_place place = {"samples", "made-up", "made-up.yaml", 1};
  * the regular pattern at N = 13, and the floors over the environment map's size. */
 struct world {
     double noise_1, slope, floor, regular_13;
-    double position, texels_256; /* what the largest map leaves, and what 256 texels add */
+    double position, texels_256; /* what the map's position does, and what 256 texels do */
     double spread;               /* half width of every interval, relative */
 };
 
@@ -70,9 +70,9 @@ static void make(struct rl_run *run, const struct world *w)
         double texels = w->texels_256 * 256.0 / size;
         struct rl_record *r =
             rl_run_add(run, &place, 5000, NULL, "series=floor samples=1024 rr=30 env_size=%d", size);
-        fill(r, 0.001, hypot(w->position, size < 2048 ? texels : 0.0), w->spread);
-        if (size < 2048)
-            metric(r, "texel_error", texels, w->spread);
+        fill(r, 0.001, hypot(w->position, texels), w->spread);
+        metric(r, "floor_centre", texels, w->spread);
+        metric(r, "parallax", w->position, 0.0);
     }
 }
 
@@ -154,7 +154,14 @@ static void test_flips(void **state)
     w.position = 0.001;
     assert_int_equal(verdict_in(w, position), RL_VERDICT_FAILS);
     w.position = 1.0 / 255.0;
+    w.texels_256 = 0.0001;
     assert_int_equal(verdict_in(w, position), RL_VERDICT_INCONCLUSIVE);
+
+    w = usual;
+    static const char centre[] = "seen from the object's centre";
+    assert_int_equal(verdict_in(w, centre), RL_VERDICT_HOLDS);
+    w.texels_256 = 0.1;
+    assert_int_equal(verdict_in(w, centre), RL_VERDICT_FAILS);
 
     w = usual;
     static const char texels[] = "256 texels are enough";
