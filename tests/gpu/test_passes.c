@@ -190,6 +190,37 @@ static void spheres_are_by_material(void **state)
     fixture_end(&scene);
 }
 
+/* Two spheres side by side, `first` to `end` of them, the second with an effect more than the first. */
+static void render_pair(struct rl_image *image, int first, int end)
+{
+    struct rl_scene scene;
+    fixture_begin(&scene, 80, 40);
+    fixture_camera(&scene, v3(0.0, 0.0, 6.0), v3(0.0, 0.0, 0.0), 25.0);
+    for (int i = first; i < end; i++)
+        fixture_object(&scene, RL_SHAPE_SPHERE, 16, 1.0, v3(i ? 1.1 : -1.1, 0.0, 0.0),
+                       fixture_material(&scene, 3.0, 0.0, i ? 0.5 : 0.0, i ? 1.0 : 0.5, "random"));
+    fixture_quad(&scene, v3(0.0, 3.0, 3.0), v3(0.5, 0.0, 0.0), v3(0.0, 0.5, -0.5), 1.0, 1.0, 1.0);
+    render(image, &scene, -1.0);
+    fixture_end(&scene);
+}
+
+/* Materials that share the highlight program, and differ in all the rest, look as each does alone. */
+static void materials_that_share_a_program_keep_apart(void **state)
+{
+    (void)state;
+    struct rl_image pair;
+    struct rl_image alone[2];
+    render_pair(&pair, 0, 2);
+    render_pair(&alone[0], 0, 1);
+    render_pair(&alone[1], 1, 2);
+    for (int y = 0; y < 40; y++)
+        for (int x = 0; x < 80; x++)
+            assert_true(same_pixel(&pair, &alone[x / 40], x, y));
+    rl_image_clear(&pair);
+    rl_image_clear(&alone[0]);
+    rl_image_clear(&alone[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -197,6 +228,7 @@ int main(void)
         cmocka_unit_test(a_margin_only_removes),
         cmocka_unit_test(the_pass_is_the_ray_and_sphere_test),
         cmocka_unit_test(spheres_are_by_material),
+        cmocka_unit_test(materials_that_share_a_program_keep_apart),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }
