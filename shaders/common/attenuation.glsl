@@ -2,8 +2,8 @@
 //
 //     G = max(0, min(1, 2 (N.H)(N.V)/(V.H), 2 (N.H)(N.L)/(V.H))),  G = 0 when N.L <= 0
 //
-// Only ratios count: a common factor of n_h and v_h, or of n_v, n_l and v_h, changes nothing, so H and L need not be unit
-// vectors.
+// Only ratios count: a common factor of n_h and v_h, or of n_v, n_l and v_h, changes nothing, so H and L need
+// not be unit vectors.
 float attenuation(float n_h, float n_v, float n_l, float v_h)
 {
     return v_h > 0.0 ? clamp(2.0 * n_h * min(n_v, n_l) / v_h, 0.0, 1.0) : 0.0;

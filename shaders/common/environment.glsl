@@ -4,8 +4,9 @@ layout(binding = 0) uniform samplerCube environment_map;
 // Texels hold radiance divided by this; methods multiply their sum by it.
 uniform float environment_unit;
 
-// G L_e for the light that a microfacet with normal H sends to the eye. H may have any length and n_h may have the same factor:
-// 2 (V.H) H - (H.H) V is L times H.H, and neither the map's texel nor G depends on that.
+// G L_e for the light that a microfacet with normal H sends to the eye. H may have any length and n_h may
+// have the same factor: 2 (V.H) H - (H.H) V is L times H.H, and neither the map's texel nor G depends on
+// that.
 vec3 microfacet_radiance(Surface s, float n_v, vec3 H, float n_h)
 {
     float h_h = dot(H, H);

@@ -1,5 +1,5 @@
-// An orthonormal tangent frame about a unit normal, columns N, T, B, without a branch. Duff, Burgess, Christensen, Hery, Kensler,
-// Liani, Villemin: Building an Orthonormal Basis, Revisited. JCGT 6 (1), 2017.
+// An orthonormal tangent frame about a unit normal, columns N, T, B, without a branch. Duff, Burgess,
+// Christensen, Hery, Kensler, Liani, Villemin: Building an Orthonormal Basis, Revisited. JCGT 6 (1), 2017.
 mat3 tangent_frame(vec3 N)
 {
     float s = N.z < 0.0 ? -1.0 : 1.0;

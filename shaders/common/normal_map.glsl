@@ -1,9 +1,10 @@
-// The normal map: microfacet normals about (1, 0, 0) drawn from D, the random numbers baked in, stored as (H + 1)/2.
+// The normal map: microfacet normals about (1, 0, 0) drawn from D, the random numbers baked in. Texels hold
+// (H + 1)/2.
 layout(binding = 1) uniform sampler2D normal_map;
 
-// The texel for sample i of this pixel. The offsets of the samples run through the whole map in steps near the golden section of
-// it: all distinct, and neighbouring pixels read neighbouring texels. The map repeats; its size is a power of two, so that the
-// coordinates are exact.
+// The texel for sample i of this pixel. The offsets of the samples run through the whole map in steps near
+// the golden section of it: all distinct, and neighbouring pixels read neighbouring texels. The map repeats;
+// its size is a power of two, so that the coordinates are exact.
 vec3 microfacet_normal(int i)
 {
     const uint size = uint(NORMAL_MAP_SIZE);

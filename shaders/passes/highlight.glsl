@@ -1,5 +1,5 @@
-// Highlight pass: added to what the surface pass left. A normal that faces away from the eye, which interpolation makes at
-// silhouettes, has no highlight.
+// Highlight pass: added to what the surface pass left. A normal that faces away from the eye, which
+// interpolation makes at silhouettes, has no highlight.
 uniform vec3 specular;
 
 layout(location = 0) out vec4 colour;

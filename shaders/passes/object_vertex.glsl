@@ -1,5 +1,5 @@
-// The vertices of an object, in world space. Every pass over objects uses this one module, and the position is invariant: passes
-// after the first find exactly the depths of the first.
+// The vertices of an object, in world space. Every pass over objects uses this one module, and the position
+// is invariant: passes after the first find exactly the depths of the first.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 

@@ -1,5 +1,5 @@
-// Sphere pass: keeps only pixels whose mirror direction meets the bounding sphere of some light, enlarged by the margin, or that
-// lie inside of one. Colours are masked; the stencil buffer takes note.
+// Sphere pass: keeps only pixels whose mirror direction meets the bounding sphere of some light, enlarged by
+// the margin, or that lie inside of one. Colours are masked; the stencil buffer takes note.
 layout(std140, binding = 2) uniform LightSpheres
 {
     vec4 light_spheres[max(N_LIGHTS, 1)]; // centre and radius

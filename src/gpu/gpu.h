@@ -6,10 +6,10 @@
  *     rl_gpu_scene_read(gs, &image, &error);
  *     rl_gpu_scene_free(gs); rl_gpu_close(gpu);
  *
- * The GL libraries are loaded by rl_gpu_open with dlopen, not before. A context is current in the thread that opened it; use
- * it from there only, and close it before opening another: Mesa's libraries share the notion of what is current. What Mesa reads
- * from the environment (GALLIUM_DRIVER, LP_NUM_THREADS) counts at the first open of a process. Several scenes may live on one
- * context and be drawn in turn (interleaved timing).
+ * The GL libraries are loaded by rl_gpu_open with dlopen, not before. A context is current in the thread that
+ * opened it; use it from there only, and close it before opening another: Mesa's libraries share the notion
+ * of what is current. What Mesa reads from the environment (GALLIUM_DRIVER, LP_NUM_THREADS) counts at the
+ * first open of a process. Several scenes may live on one context and be drawn in turn (interleaved timing).
  */
 #ifndef RL_GPU_GPU_H
 #define RL_GPU_GPU_H
@@ -26,8 +26,9 @@ struct rl_gpu_scene;
 
 struct rl_gpu_info {
     const char *backend; /* "osmesa", "egl-surfaceless", "egl-device" */
-    char renderer[128], vendor[128], version[128], glsl[64];
-};
+char renderer[128], vendor[128], version[128], glsl[64];
+}
+;
 
 /* `backend`: "auto" (osmesa, then egl-surfaceless, then egl-device), "osmesa", "egl" (surfaceless, then
  * device), "egl-surfaceless" or "egl-device". RL_ERR_INPUT: no such name. RL_ERR_UNAVAILABLE: each rejected

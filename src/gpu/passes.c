@@ -101,8 +101,8 @@ static void sphere_pass(struct rl_gpu_scene *gs)
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-/* The stencil buffer lets a pixel through once: of surfaces at one depth (a triangle that a mesh has twice) the first one, which is
- * also the one that the surface pass has shown. */
+/* The stencil buffer lets a pixel through once: of surfaces at one depth (a triangle that a mesh has twice)
+ * the first one, which is also the one that the surface pass has shown. */
 static void highlight_pass(struct rl_gpu_scene *gs)
 {
     const struct rl_gl *gl = &gs->gpu->gl;

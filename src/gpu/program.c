@@ -19,8 +19,8 @@ static bool uses(const struct rl_plan_material *m, int index)
     return m->surface_program == index || m->highlight_program == index || m->sphere_program == index;
 }
 
-/* Whose effects and method the program carries out. The plan gives a program to several materials only where its modules are the
- * same for all, so that any of them will do. */
+/* Whose effects and method the program carries out. The plan gives a program to several materials only where
+ * its modules are the same for all, so that any of them will do. */
 static const struct rl_plan_material *find_material(const struct rl_plan *plan, int index)
 {
     for (size_t i = 0; i < plan->n_materials; i++)

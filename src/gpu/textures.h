@@ -23,8 +23,9 @@ struct rl_texel_storage rl_texel_storage(enum rl_texel_format format);
  * loses nothing and no radiance overflows a half. */
 float rl_texel_unit(enum rl_texel_format format, float radiance_scale);
 
-/* The value >= 0 (in that unit) to draw so that component 0 to 2 of a texel becomes the nearest one to `value` that the format
- * has, whether OpenGL then rounds or cuts off: Mesa's llvmpipe cuts off in 10-bit texels and in halves. */
+/* The value >= 0 (in that unit) to draw so that component 0 to 2 of a texel becomes the nearest one to
+ * `value` that the format has, whether OpenGL then rounds or cuts off: Mesa's llvmpipe cuts off in 10-bit
+ * texels and in halves. */
 float rl_texel_nearest(enum rl_texel_format format, int component, double value);
 
 /* The texels of a normal map as they are uploaded: (H + 1)/2 of method->texel, rounded to `bits`

@@ -1,5 +1,5 @@
-/* Contexts: each backend opens or says why not, both software ones draw the same bits, and no environment variable ends the
- * process. */
+/* Contexts: each backend opens or says why not, both software ones draw the same bits, and no environment
+ * variable ends the process. */
 #include "gpu/fixture.h"
 
 static void names_are_the_documented_ones(void **state)
@@ -86,7 +86,8 @@ static void both_software_backends_draw_the_same_bits(void **state)
     rl_image_clear(&egl);
 }
 
-/* `softpipe` is a driver that Mesa knows and that lacks OpenGL 4.5; but a process keeps the first driver it has loaded. */
+/* `softpipe` is a driver that Mesa knows and that lacks OpenGL 4.5; but a process keeps the first driver it
+ * has loaded. */
 static void an_unknown_driver_is_an_error_and_no_crash(void **state)
 {
     (void)state;

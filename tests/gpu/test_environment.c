@@ -145,8 +145,8 @@ static double map_solid_angle(const struct rl_image *image)
     return sum;
 }
 
-/* A quad in any direction, over edges and corners of the cube, has its solid angle, and each texel is right but for those
- * that an edge goes through. */
+/* A quad in any direction, over edges and corners of the cube, has its solid angle, and each texel is right
+ * but for those that an edge goes through. */
 static void a_quad_has_its_solid_angle(void **state)
 {
     (void)state;
@@ -215,7 +215,8 @@ static void the_nearest_light_wins(void **state)
         }
 }
 
-/* Three lights of very different radiance come back within what the format can hold; far outside [0, 1] too. */
+/* Three lights of very different radiance come back within what the format can hold; far outside [0, 1] too.
+ * */
 static void every_format_keeps_radiance(void **state)
 {
     (void)state;

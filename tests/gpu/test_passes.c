@@ -54,7 +54,8 @@ static void a_huge_margin_changes_nothing(void **state)
     }
 }
 
-/* Each margin's picture is that without spheres but for pixels that have lost their highlight, fewer and fewer of them. */
+/* Each margin's picture is that without spheres but for pixels that have lost their highlight, fewer and
+ * fewer of them. */
 static void a_margin_only_removes(void **state)
 {
     (void)state;
@@ -103,8 +104,8 @@ static bool meets_sphere(rl_vec3 P, rl_vec3 direction, rl_vec3 centre, double ra
     return along > 0.0 && distance * distance - along * along <= radius * radius;
 }
 
-/* A plane seen from above: the pixels that keep their highlight are those whose mirror direction meets a sphere, by a test
- * written in another way. */
+/* A plane seen from above: the pixels that keep their highlight are those whose mirror direction meets a
+ * sphere, by a test written in another way. */
 static void the_pass_is_the_ray_and_sphere_test(void **state)
 {
     (void)state;
@@ -148,7 +149,8 @@ static void the_pass_is_the_ray_and_sphere_test(void **state)
     }
 }
 
-/* The stencil of one object does not let another's highlight through, and an object without spheres is not masked. */
+/* The stencil of one object does not let another's highlight through, and an object without spheres is not
+ * masked. */
 static void spheres_are_by_material(void **state)
 {
     (void)state;

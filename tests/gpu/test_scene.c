@@ -1,4 +1,5 @@
-/* Pictures: orientation, what hides what, repeatability, finite values, and errors for what cannot be drawn. */
+/* Pictures: orientation, what hides what, repeatability, finite values, and errors for what cannot be drawn.
+ * */
 #include <stdbool.h>
 
 #include "gpu/fixture.h"
@@ -81,8 +82,8 @@ static void row_0_is_the_top(void **state)
     fixture_end(&scene);
 }
 
-/* The nearer object shows, whichever comes first in the scene; and nothing is added for the highlight of the hidden one, which
- * is bright at that very pixel when it is alone. */
+/* The nearer object shows, whichever comes first in the scene; and nothing is added for the highlight of the
+ * hidden one, which is bright at that very pixel when it is alone. */
 static void an_object_behind_another_is_hidden(void **state)
 {
     (void)state;
@@ -166,8 +167,8 @@ static void back_faces_are_not_drawn(void **state)
     }
 }
 
-/* Normals that face away from the eye, as interpolation makes at silhouettes, here everywhere: no highlight, though light comes
- * from all round and nothing attenuates it. */
+/* Normals that face away from the eye, as interpolation makes at silhouettes, here everywhere: no highlight,
+ * though light comes from all round and nothing attenuates it. */
 static void normals_that_face_away_have_no_highlight(void **state)
 {
     (void)state;

@@ -112,8 +112,8 @@ static void begin_scene(struct rl_scene *scene, const char *method, double rr)
     fixture_light(scene, triangle, 3, 5.0, 5.0, 5.0);
 }
 
-/* Every pixel against the C functions at the point where the ray caster hits. `outliers`: pixels at silhouettes, where a
- * rasteriser with 1/256 of a pixel may decide otherwise. */
+/* Every pixel against the C functions at the point where the ray caster hits. `outliers`: pixels at
+ * silhouettes, where a rasteriser with 1/256 of a pixel may decide otherwise. */
 static void compare_with_c(const char *method, double rr, double tolerance, size_t outliers)
 {
     struct rl_error error;
@@ -168,7 +168,8 @@ static void plain_agrees_with_c(void **state)
     compare_with_c("plain", 30.0, 2e-3, 4);
 }
 
-/* The microfacet that sample i of a pixel has, in the world and at its length. `row` counts from the bottom. */
+/* The microfacet that sample i of a pixel has, in the world and at its length. `row` counts from the bottom.
+ * */
 static struct rl_microfacet sample(const struct rl_plan *plan, const struct rl_ellipsoid *e, int i, int x,
                                    int row)
 {
@@ -207,7 +208,8 @@ static double furnace(const struct rl_plan *plan, const struct rl_surface *s, co
     return sum;
 }
 
-/* With light all round only G is left, so that its every factor, the frame and the address of each normal show. */
+/* With light all round only G is left, so that its every factor, the frame and the address of each normal
+ * show. */
 static void sampled_methods_agree_with_c_in_a_furnace(void **state)
 {
     (void)state;
