@@ -2,7 +2,6 @@
 #include "reference/light_set.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static int allocate(struct rl_light_set **out, size_t n_lights, size_t n_polygons, size_t n_vertices,
                     struct rl_error *error)
@@ -38,7 +37,8 @@ void rl_light_set_free(struct rl_light_set *set)
 static size_t radiance_index(struct rl_light_set *set, const double radiance[3])
 {
     for (size_t i = 0; i < set->n_radiances; i++)
-        if (memcmp(set->radiance[i], radiance, sizeof set->radiance[i]) == 0)
+        if (set->radiance[i][0] == radiance[0] && set->radiance[i][1] == radiance[1] &&
+            set->radiance[i][2] == radiance[2])
             return i;
     for (int c = 0; c < 3; c++) {
         set->radiance[set->n_radiances][c] = radiance[c];

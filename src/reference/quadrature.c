@@ -152,11 +152,11 @@ static bool reserve(struct work *work)
 {
     if (work->n < work->capacity)
         return true;
-    struct piece *more = realloc(work->owned, 2 * work->capacity * sizeof *more);
+    struct piece *more = malloc(2 * work->capacity * sizeof *more);
     if (!more)
         return false;
-    if (!work->owned)
-        memcpy(more, work->heap, work->n * sizeof *more);
+    memcpy(more, work->heap, work->n * sizeof *more);
+    free(work->owned);
     work->heap = work->owned = more;
     work->capacity *= 2;
     return true;
@@ -207,6 +207,7 @@ void rl_quadrature(struct rl_quadrature_result *result, rl_quadrature_function *
     struct piece first[PIECES_AT_FIRST];
     struct work work = {.f = f, .user = user, .heap = first, .capacity = PIECES_AT_FIRST};
     size_t most = options->max_evaluations > 0 ? options->max_evaluations : 100000;
+    const size_t two_rules = 2 * (size_t)RL_KRONROD_NODES;
     bool complete = true;
     for (size_t i = 0; i < n_panels && complete; i++) {
         struct piece piece = {.u1 = 1.0, .panel = &panels[i]};
@@ -215,7 +216,7 @@ void rl_quadrature(struct rl_quadrature_result *result, rl_quadrature_function *
             push(&work, &piece);
     }
     double error = total(result, &work);
-    while (complete && error > options->tolerance && work.evaluations + 2 * RL_KRONROD_NODES <= most) {
+    while (complete && error > options->tolerance && work.evaluations + two_rules <= most) {
         if (!refine(&work))
             break;
         error = total(result, &work);
