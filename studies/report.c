@@ -120,6 +120,22 @@ static int add_study(struct page *p, const struct rl_study *study, const struct 
     return status;
 }
 
+/* The pictures are this program's; figures may be older. */
+static void note_other_build(struct page *p, const struct rl_provenance *now)
+{
+    for (size_t i = 0; i < rl_n_studies; i++) {
+        const struct rl_run *run = &p->data->run[i];
+        if (run->n_records == 0 || strcmp(run->provenance.code_hash, now->code_hash) == 0)
+            continue;
+        char text[256];
+        snprintf(text, sizeof text,
+                 "The pictures were rendered by another build (commit %s, code %s) than study %.40s was "
+                 "measured with.",
+                 now->commit, now->code_hash, run->study);
+        rl_html_element(&p->text, "p", text);
+    }
+}
+
 /* The scene of the samples study; at the film's size, or after a quick run at that run's. */
 static int add_gallery(struct page *p)
 {
@@ -150,6 +166,7 @@ static int add_gallery(struct page *p)
                            p->error);
     if (status == RL_OK) {
         status = rl_gallery_make(&p->text, &gallery, &bench, p->progress, p->error);
+        note_other_build(p, &bench.provenance);
         rl_bench_close(&bench);
     }
     rl_scene_clear(&scene);

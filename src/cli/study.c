@@ -135,8 +135,9 @@ static int run_studies(const struct rl_arguments *a, struct rl_error *error)
     struct rl_run_outcome outcome;
     status = rl_studies_run(&outcome, studies, n, &run, progress, error);
     rl_console_end(&console);
-    fprintf(stderr, "%zu cases: %zu measured, %zu done before, %zu failed\n", outcome.planned,
-            outcome.measured, outcome.skipped, outcome.failed);
+    if (status == RL_OK || status == RL_ERR_CANCELLED)
+        fprintf(stderr, "%zu cases: %zu measured, %zu done before, %zu failed\n", outcome.planned,
+                outcome.measured, outcome.skipped, outcome.failed);
     if (outcome.failed > 0)
         name_failures(studies, n, run.database);
     return status == RL_OK && outcome.failed > 0 ? RL_EXIT_PARTIAL : rl_exit_of(status);

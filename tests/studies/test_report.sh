@@ -1,0 +1,165 @@
+#!/bin/sh
+# The studies from end to end: a quick run that is killed, interrupted, finished and skipped; its tables; the report, which
+# a browser then opens: every picture loads, every claim is there, and the page is not blank.
+set -u
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+rl=$ROUGHLIGHT
+db=$tmp/results.db
+tab=$(printf '\t')
+
+# check NAME CONDITION...: the condition is a command
+check() {
+    name=$1
+    shift
+    if "$@"; then echo "ok - $name"; else echo "not ok - $name"; fi
+}
+
+# refused NAME PATTERN ARGUMENTS...: exit code 2, and one line on stderr that matches
+refused() {
+    name=$1 pattern=$2
+    shift 2
+    "$rl" "$@" >"$tmp/stdout" 2>"$tmp/stderr"
+    code=$?
+    if [ $code -eq 2 ] && [ "$(wc -l <"$tmp/stderr")" -eq 1 ] && grep -q -- "$pattern" "$tmp/stderr"; then
+        echo "ok - $name"
+    else
+        echo "not ok - $name: exit code $code, $(cat "$tmp/stderr")"
+    fi
+}
+
+column() { # column NAME FILE: the values of a column of a TSV file
+    awk -F "$tab" -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$2"
+}
+
+# ---- Bad requests ------------------------------------------------------------------------------------------------
+
+refused "an unknown verb" "expected list, run, status, export or report" study draw
+refused "no study named" "no study named" study run --db "$db"
+refused "an unknown study" "no study 'sample'" study run sample --db "$db"
+refused "two grids" "one of them, not both" study run fps --quick --full --db "$db"
+refused "an unknown scene" "no-such-scene" study run fps --quick --scene no-such-scene --db "$tmp/x.db"
+refused "one scene twice" "was given before" study run fps --quick --scene sphere-quad --scene sphere-quad --db "$tmp/x.db"
+refused "a database that is not there" "No such file" study status --db "$tmp/nowhere.db"
+refused "a database in no writable place" "/proc/" study run fps --quick --db /proc/results.db
+echo "not a database, but long enough to be taken for one ............................................" >"$tmp/text.db"
+refused "a text file as database" "not an SQLite database" study report --db "$tmp/text.db" -o "$tmp/r"
+check "which is left as it was" grep -q "not a database, but" "$tmp/text.db"
+
+"$rl" study list >"$tmp/list.tsv"
+check "list has both studies" [ "$(column study "$tmp/list.tsv" | tr '\n' ' ')" = "samples fps " ]
+
+# ---- Killed, interrupted, finished, skipped --------------------------------------------------------------------------
+
+for pause in 0.3 0.9 1.6; do
+    "$rl" study run samples fps --quick --db "$db" 2>/dev/null &
+    pid=$!
+    sleep $pause
+    kill -KILL $pid 2>/dev/null
+    wait $pid 2>/dev/null
+done
+measured() { # cases of samples that the database has
+    "$rl" study status --db "$db" 2>/dev/null | awk -F "$tab" '$1 == "samples" { n = $5 } END { print n + 0 }'
+}
+"$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr" &
+pid=$!
+for attempt in $(seq 100); do
+    [ "$(measured)" -ge 4 ] && break
+    sleep 0.1
+done
+kill -INT $pid
+wait $pid
+check "Ctrl-C gives exit code 130" [ $? -eq 130 ]
+check "and says what was finished" grep -q "cases: .* measured" "$tmp/stderr"
+kept=$(measured)
+check "what was finished before is kept: $kept of 24" [ "$kept" -ge 4 -a "$kept" -lt 24 ]
+
+"$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
+check "the next run finishes" [ $? -eq 0 ]
+"$rl" study status --db "$db" >"$tmp/status.tsv"
+check "every planned case is measured" [ "$(column planned "$tmp/status.tsv")" = "$(column measured "$tmp/status.tsv")" ]
+check "none failed" [ "$(column failed "$tmp/status.tsv" | tr '\n' ' ')" = "0 0 " ]
+"$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
+check "one more run has nothing to do" grep -q "^36 cases: 0 measured, 36 done before, 0 failed" "$tmp/stderr"
+check "references are computed once each" [ "$(ls "$tmp/cache" | wc -l)" -eq 4 ]
+check "nothing half-written is left" [ -z "$(find "$tmp" -name '.*' -type f)" ]
+
+# A scene that cannot be measured: it is named, the others are, and the exit code says so.
+mkdir "$tmp/empty"
+PATH_TO_SHADERS=$tmp/empty
+cp -r shaders plots "$PATH_TO_SHADERS"
+mkdir -p "$tmp/empty/studies" && cp -r studies/scenes "$tmp/empty/studies"
+echo "oops" >>"$tmp/empty/shaders/methods/random.glsl"
+ROUGHLIGHT_DATA=$tmp/empty "$rl" study run fps --quick --scene sphere-quad --db "$tmp/broken.db" 2>"$tmp/stderr"
+check "a failing case gives exit code 3" [ $? -eq 3 ]
+check "and is named with the reason" grep -q "failed: fps sphere-quad arm=random-4 .*random" "$tmp/stderr"
+"$rl" study run fps --quick --scene sphere-quad --db "$tmp/broken.db" 2>"$tmp/stderr"
+check "with the fault repaired it is tried again" grep -q "6 cases: 6 measured, 0 done before, 0 failed" "$tmp/stderr"
+
+# ---- Tables ------------------------------------------------------------------------------------------------------
+
+"$rl" study export --db "$db" -o "$tmp/tables" && "$rl" study export --db "$db" --format json -o "$tmp/tables"
+check "claims.tsv has its columns" [ "$(head -n 1 "$tmp/tables/claims.tsv")" = \
+    "claim${tab}verdict${tab}value${tab}low${tab}high${tab}unit${tab}study${tab}command" ]
+check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.tsv" |
+    grep -vx 'holds\|holds up to\|fails\|inconclusive')" ]
+check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 25 ]
+check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 13 ]
+check "raw frame times" [ "$(wc -l <"$tmp/tables/frame_times.tsv")" -gt 120 ]
+for column in rmse rmse_low rmse_high noise floor bias relmse max frame_ms samples rr env_size_px scene_hash; do
+    check "samples.tsv has a column $column" [ -n "$(column $column "$tmp/tables/samples.tsv" | head -n 1)" ]
+done
+for table in claims samples fps frame_times; do
+    check "$table.json is an array of objects" [ "$(head -c 5 "$tmp/tables/$table.json" | tr -d '\n')" = "[  {" ]
+done
+
+# ---- The report --------------------------------------------------------------------------------------------------
+
+"$rl" study report --db "$db" -o "$tmp/report" 2>"$tmp/stderr"
+check "the report is made" [ $? -eq 0 ]
+page=$tmp/report/index.html
+check "it refers to nothing outside" [ -z "$(grep -o '\(src\|href\)="[a-z]*:[^"]*"' "$page")" ]
+missing=$(grep -o '\(src\|href\)="[^"#][^"]*"' "$page" | sed 's/.*="//; s/"$//' | while read -r file; do
+    [ -s "$tmp/report/$file" ] || echo "$file"
+done)
+check "every file it refers to is there ($missing)" [ -z "$missing" ]
+check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
+PATH=$tmp/empty "$rl" study report --db "$db" -o "$tmp/no-plots" 2>"$tmp/stderr"
+check "without gnuplot: exit code 2 and its name" grep -q "gnuplot: not found" "$tmp/stderr"
+
+browser() { # the browser's own talk is not of interest
+    chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
+        --disable-component-update --disable-sync --hide-scrollbars --user-data-dir="$tmp/browser" "$@" 2>/dev/null
+}
+if ! command -v chromium >/dev/null; then
+    echo "ok - the page in a browser # skip no chromium"
+    exit
+fi
+
+# A copy of the page that writes each image's width into the document once all are loaded.
+sed 's#</body>#<script>addEventListener("load", () => { for (const i of document.images) i.dataset.width = i.naturalWidth; });</script></body>#' \
+    "$page" >"$tmp/report/probe.html"
+browser --dump-dom "file://$tmp/report/probe.html" >"$tmp/dom.html"
+images=$(grep -c '<img' "$page")
+check "the browser sees every image" [ "$(grep -o 'data-width="[0-9]*"' "$tmp/dom.html" | wc -l)" -eq \
+    "$(grep -o '<img' "$page" | wc -l)" ]
+check "and each has a size" [ "$images" -gt 0 -a "$(grep -c 'data-width="0"' "$tmp/dom.html")" -eq 0 ]
+# Browsers write quotes in text as they are; the claims' only special characters are quotes and <.
+sed "s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/\"/g; s/&#39;/'/g" "$tmp/dom.html" >"$tmp/dom.txt"
+absent=$(column claim "$tmp/report/claims.tsv" | while read -r claim; do
+    grep -qF -- "$claim" "$tmp/dom.txt" || echo "$claim"
+done)
+check "every claim is on the page ($absent)" [ -z "$absent" ]
+
+for size in 1280,4000 400,4000; do
+    browser --screenshot="$tmp/page.png" --window-size=$size "file://$page"
+    browser --screenshot="$tmp/blank.png" --window-size=$size about:blank
+    "$rl" compare "$tmp/page.png" "$tmp/blank.png" >"$tmp/compare.tsv" 2>"$tmp/stderr"
+    check "at $size the page is not blank" awk -v rmse="$(column rmse "$tmp/compare.tsv")" 'BEGIN { exit !(rmse > 0.05) }'
+done
+# Nothing may be wider than a phone: the document scrolls down, never sideways.
+sed 's#</body>#<script>document.title = "width " + document.documentElement.scrollWidth;</script></body>#' "$page" \
+    >"$tmp/report/probe.html"
+browser --dump-dom --window-size=500,1000 "file://$tmp/report/probe.html" >"$tmp/dom.html"
+width=$(sed -n 's/.*<title>width \([0-9]*\).*/\1/p' "$tmp/dom.html")
+check "it fits a narrow window (${width:-unknown} of 500 pixels)" [ "${width:-9999}" -le 500 ]
