@@ -28,7 +28,7 @@ const struct rl_option rl_options_render[] = {
      "(point)"},
     {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
     {0, "backend", "NAME", "auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
-    {0, "threads", "N", "of the CPU renderer ($ROUGHLIGHT_THREADS, all)"},
+    {0, "threads", "N", "of the CPU renderer and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
     {0},
 };
 
@@ -149,7 +149,7 @@ const char *rl_argument_backend(const struct rl_arguments *arguments)
     return variable && *variable ? variable : "auto";
 }
 
-int rl_argument_threads(const struct rl_arguments *arguments, int *threads, struct rl_error *error)
+static int take_threads(const struct rl_arguments *arguments, int *threads, struct rl_error *error)
 {
     enum { THREADS_MAX = 1024 };
     long long n = 0;
@@ -166,5 +166,16 @@ int rl_argument_threads(const struct rl_arguments *arguments, int *threads, stru
                        "ROUGHLIGHT_THREADS: found '%s', expected a whole number from 1 to %d", variable,
                        THREADS_MAX);
     *threads = (int)x;
+    return RL_OK;
+}
+
+int rl_argument_threads(const struct rl_arguments *arguments, int *threads, struct rl_error *error)
+{
+    int status = take_threads(arguments, threads, error);
+    if (status != RL_OK || *threads == 0)
+        return status;
+    char text[16];
+    snprintf(text, sizeof text, "%d", *threads);
+    setenv("LP_NUM_THREADS", text, 0);
     return RL_OK;
 }

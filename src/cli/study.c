@@ -21,7 +21,7 @@ static const struct rl_option study_options[] = {
     {0, "full", NULL, "run: the full grid, as long as it takes"},
     {0, "backend", "NAME",
      "run, report: auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
-    {0, "threads", "N", "run, report: threads of the reference ($ROUGHLIGHT_THREADS, all)"},
+    {0, "threads", "N", "run, report: of the reference and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
     {'o', "output", "DIR", "export, report: where to write (build/tables, build/report)"},
     {0},
 };
