@@ -146,12 +146,6 @@ static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, 
     return status;
 }
 
-#define WITH_INTERVAL(name)                                                                                  \
-    {name, RL_COLUMN_VALUE, name}, {name "_low", RL_COLUMN_LOW, name},                                       \
-    {                                                                                                        \
-        name "_high", RL_COLUMN_HIGH, name                                                                   \
-    }
-
 static const struct rl_column columns[] = {
     {"scene", RL_COLUMN_SCENE, NULL},
     {"arm", RL_COLUMN_TEXT, "arm"},
@@ -161,11 +155,11 @@ static const struct rl_column columns[] = {
     {"height_px", RL_COLUMN_NUMBER, "height"},
     {"env_size_px", RL_COLUMN_NUMBER, "env_size"},
     {"frames", RL_COLUMN_VALUE, "frames"},
-    WITH_INTERVAL("frame_ms"),
-    WITH_INTERVAL("fps"),
+    RL_COLUMNS_WITH_INTERVAL("frame_ms"),
+    RL_COLUMNS_WITH_INTERVAL("fps"),
     {"paper_fps", RL_COLUMN_VALUE, "paper_fps"},
-    WITH_INTERVAL("above_baseline_ms"),
-    WITH_INTERVAL("time_to_random4"),
+    RL_COLUMNS_WITH_INTERVAL("above_baseline_ms"),
+    RL_COLUMNS_WITH_INTERVAL("time_to_random4"),
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
 };
 

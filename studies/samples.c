@@ -122,12 +122,6 @@ static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid g
     return status;
 }
 
-#define WITH_INTERVAL(name)                                                                                  \
-    {name, RL_COLUMN_VALUE, name}, {name "_low", RL_COLUMN_LOW, name},                                       \
-    {                                                                                                        \
-        name "_high", RL_COLUMN_HIGH, name                                                                   \
-    }
-
 static const struct rl_column columns[] = {
     {"scene", RL_COLUMN_SCENE, NULL},
     {"series", RL_COLUMN_TEXT, "series"},
@@ -141,18 +135,18 @@ static const struct rl_column columns[] = {
     {"width_px", RL_COLUMN_NUMBER, "width"},
     {"height_px", RL_COLUMN_NUMBER, "height"},
     {"seeds", RL_COLUMN_NUMBER, "seeds"},
-    WITH_INTERVAL("rmse"),
-    WITH_INTERVAL("noise"),
-    WITH_INTERVAL("floor"),
-    WITH_INTERVAL("floor_centre"),
+    RL_COLUMNS_WITH_INTERVAL("rmse"),
+    RL_COLUMNS_WITH_INTERVAL("noise"),
+    RL_COLUMNS_WITH_INTERVAL("floor"),
+    RL_COLUMNS_WITH_INTERVAL("floor_centre"),
     {"parallax", RL_COLUMN_VALUE, "parallax"},
-    WITH_INTERVAL("bias"),
-    WITH_INTERVAL("mae"),
-    WITH_INTERVAL("relmse"),
+    RL_COLUMNS_WITH_INTERVAL("bias"),
+    RL_COLUMNS_WITH_INTERVAL("mae"),
+    RL_COLUMNS_WITH_INTERVAL("relmse"),
     {"max", RL_COLUMN_VALUE, "max"},
-    WITH_INTERVAL("bias2"),
-    WITH_INTERVAL("variance"),
-    WITH_INTERVAL("frame_ms"),
+    RL_COLUMNS_WITH_INTERVAL("bias2"),
+    RL_COLUMNS_WITH_INTERVAL("variance"),
+    RL_COLUMNS_WITH_INTERVAL("frame_ms"),
     {"pixels_px", RL_COLUMN_VALUE, "pixels"},
     {"mismatched_px", RL_COLUMN_VALUE, "mismatched"},
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},

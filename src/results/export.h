@@ -48,6 +48,12 @@ struct rl_column {
     const char *key;
 };
 
+/* Three columns of one metric: NAME, NAME_low and NAME_high. */
+/* clang-format off */
+#define RL_COLUMNS_WITH_INTERVAL(name) \
+    {name, RL_COLUMN_VALUE, name}, {name "_low", RL_COLUMN_LOW, name}, {name "_high", RL_COLUMN_HIGH, name}
+/* clang-format on */
+
 enum { RL_TABLE_COLUMNS_MAX = 48 };
 
 /* Every measured record whose parameters match `pattern` is a row. */
