@@ -79,7 +79,10 @@ static double nearest_rr(const double *rr, size_t n)
 static void append(char *note, size_t size, double rr, double value)
 {
     size_t used = strlen(note);
-    snprintf(note + used, size - used, "%sR_r %g: %.3g", used ? "; " : "", rr, value);
+    if (isinf(value))
+        snprintf(note + used, size - used, "%sR_r %g: none", used ? "; " : "", rr);
+    else
+        snprintf(note + used, size - used, "%sR_r %g: %.3g", used ? "; " : "", rr, value);
 }
 
 /* Along R_r from smooth to rough: where the claim holds without a gap from the smooth end, its reach is the roughest such R_r. */

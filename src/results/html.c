@@ -16,6 +16,7 @@ static const char style[] =
     ".lead{font-size:1.1rem}\n"
     "code,pre{font:.85em/1.45 ui-monospace,\"DejaVu Sans Mono\",monospace;overflow-wrap:anywhere}\n"
     "pre{background:var(--tint);padding:.8rem 1rem;border-radius:6px;white-space:pre-wrap;max-width:60rem}\n"
+    ".word{display:inline-block;max-width:100%}\n"
     "table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}\n"
     "th,td{padding:.35rem .7rem;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}\n"
     "th{background:var(--tint);font-weight:600}\n"

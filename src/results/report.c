@@ -37,6 +37,23 @@ static void value_with_interval(struct rl_buffer *page, const struct rl_claim *c
     }
 }
 
+/* Lines break between the words of a command, never at its hyphens. */
+static void command_words(struct rl_buffer *page, const char *command)
+{
+    for (const char *at = command; *at;) {
+        char word[256];
+        size_t length = strcspn(at, " ");
+        snprintf(word, sizeof word, "%.*s", (int)length, at);
+        rl_buffer_add(page, "<span class=\"word\">");
+        rl_html_text(page, word);
+        rl_buffer_add(page, "</span>");
+        at += length;
+        size_t blanks = strspn(at, " ");
+        rl_buffer_add(page, blanks ? " " : "");
+        at += blanks;
+    }
+}
+
 static void claim_row(struct rl_buffer *page, const struct rl_claim *c)
 {
     rl_buffer_add(page, "<tr><td>");
@@ -54,7 +71,7 @@ static void claim_row(struct rl_buffer *page, const struct rl_claim *c)
     rl_buffer_add(page, "\">");
     rl_html_text(page, c->study);
     rl_buffer_add(page, "</a></td><td data-label=\"Command\"><code>");
-    rl_html_text(page, c->command);
+    command_words(page, c->command);
     rl_buffer_add(page, "</code></td></tr>\n");
 }
 
