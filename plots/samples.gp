@@ -76,8 +76,8 @@ if (figure eq "split") {
             with yerrorbars linetype i dashtype 1 pointtype 2 * i + 2 pointsize 0.9 notitle, \
         for [i = 1:words(settings)] data using (part(word(settings, i), "floor")):"floor" \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "floor, " . name(word(settings, i)), \
-        for [i = 1:words(settings)] data using (part(word(settings, i), "floor_centre")):"floor_centre" \
-            with linespoints linetype i + 2 dashtype 4 pointtype 2 * i + 6 pointsize 0.9 title "floor − parallax, " . name(word(settings, i)), \
+        for [i = 1:words(settings)] data using (part(word(settings, i), "floor_centre_high")):(above_zero(column("floor_centre"))):(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+            with yerrorbars linetype i + 2 dashtype 1 pointtype 2 * i + 6 pointsize 0.9 title "floor − parallax, " . name(word(settings, i)), \
         step with lines linestyle 90 title "1/255", \
         GUIDE_max / sqrt(x) with lines linestyle 90 dashtype 3 title "slope −1/2"
 }

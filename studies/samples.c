@@ -162,11 +162,13 @@ static const struct rl_figure figures[] = {
      "Error against the number of samples, with the paper's settings. Bars: 95 % intervals over seeds "
      "(regular has no "
      "seed). Grey: slope -1/2, the fall of pure noise, and 1/255, one step of an 8-bit frame buffer."},
-    {"split", "Random sampling taken apart at R_r = 30: noise (what more samples remove) and floor (what "
-              "they do not). Floor − parallax: "
-              "against a reference that sees the lights from the object's centre. Settings paper's: 8-bit "
-              "normals, map of 256 "
-              "texels; fine: float normals, half-float map of 2048."},
+    {"split",
+     "Random sampling taken apart at R_r = 30: noise (what more samples remove) and floor (what "
+     "they do not). Floor − parallax: "
+     "against a reference that sees the lights from the object's centre; a bar that leaves the frame reaches "
+     "zero. Settings paper's: 8-bit "
+     "normals, map of 256 "
+     "texels; fine: float normals, half-float map of 2048."},
     {"floor", "What no sample removes, against the environment map's size, at large N and with float "
               "normals. The map has two faults: "
               "its texels, and its single position, the object's centre, from which the lights are seen for "
