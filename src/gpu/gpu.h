@@ -26,9 +26,8 @@ struct rl_gpu_scene;
 
 struct rl_gpu_info {
     const char *backend; /* "osmesa", "egl-surfaceless", "egl-device" */
-char renderer[128], vendor[128], version[128], glsl[64];
-}
-;
+    char renderer[128], vendor[128], version[128], glsl[64];
+};
 
 /* `backend`: "auto" (osmesa, then egl-surfaceless, then egl-device), "osmesa", "egl" (surfaceless, then
  * device), "egl-surfaceless" or "egl-device". RL_ERR_INPUT: no such name. RL_ERR_UNAVAILABLE: each rejected

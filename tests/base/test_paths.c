@@ -70,7 +70,7 @@ static void put(const struct temporary *folder, const char *name, const char *te
 static void test_installation(void **state)
 {
     (void)state;
-    struct temporary prefix;
+    struct temporary prefix = {0};
     temporary_make(&prefix);
     char *bytes = NULL;
     size_t size = 0;
