@@ -1,0 +1,63 @@
+#!/bin/sh
+# The figures that the studies store and export, held against what they must obey and against the same case made by hand.
+set -u
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+rl=$ROUGHLIGHT
+n=0
+
+# check NAME TABLE AWK: the program sees the columns by name as c["name"], row by row, and calls bad("why"); it must see a row.
+check() {
+    n=$((n + 1))
+    why=$(awk -F'\t' 'function slack(x) { return 1e-9 * (x < 0 ? -x : x) + 1e-12 }
+        function bad(why) { if (!failed++) print "row " NR ": " why }
+        function near(a, b, tolerance) { d = a - b; s = b < 0 ? -b : b; return (d < 0 ? -d : d) <= tolerance * (s > 1e-12 ? s : 1e-12) }
+        NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }
+        { for (i = 1; i <= NF; i++) c[name[i]] = $i }
+        '"$3"'
+        END { if (!seen) print "no row was looked at" }' "$2")
+    [ -z "$why" ] && echo "ok - $1" || echo "not ok - $1: $why"
+}
+
+"$rl" study run samples fps --quick --db "$tmp/r.db" 2>"$tmp/err" || cat "$tmp/err"
+"$rl" study export --db "$tmp/r.db" -o "$tmp" >/dev/null 2>"$tmp/err" || cat "$tmp/err"
+
+check "frames a second are the inverse of the frame time, the interval's ends exchanged" "$tmp/fps.tsv" '
+    { seen = 1
+      if (!near(c["fps"] * c["frame_ms"], 1000, 1e-6)) bad("fps " c["fps"])
+      if (!near(c["fps_low"] * c["frame_ms_high"], 1000, 1e-6) || !near(c["fps_high"] * c["frame_ms_low"], 1000, 1e-6)) bad("interval") }'
+check "every interval holds its value" "$tmp/samples.tsv" '
+    { seen = 1
+      for (k in c) { base = k; if (sub(/_low$/, "", base) && c[base] != "" && c[k] != "")
+          if (c[k] > c[base] + slack(c[base]) || c[base "_high"] < c[base] - slack(c[base])) bad(base " " c[k] " " c[base] " " c[base "_high"]) } }'
+check "the squared error is bias squared and variance" "$tmp/samples.tsv" '
+    { seen = 1
+      if (!near(c["rmse"] ^ 2, c["bias2"] + c["variance"], 1e-6)) bad(c["rmse"] ^ 2 " against " c["bias2"] + c["variance"])
+      if (c["bias2"] > 0 && !near(c["floor"] ^ 2, c["bias2"], 1e-6)) bad("floor " c["floor"])
+      if (!near(c["noise"] ^ 2, c["variance"], 1e-6)) bad("noise " c["noise"]) }'
+check "seeds differ: random has noise, regular has none" "$tmp/samples.tsv" '
+    { seen = 1
+      if (c["method"] == "random" && !(c["variance"] > 1e-6)) bad("variance of random " c["variance"])
+      if (c["method"] == "regular" && c["variance"] != 0) bad("variance of regular " c["variance"]) }'
+check "sixteen times the samples, a quarter of the noise" "$tmp/samples.tsv" '
+    c["series"] == "methods" && c["method"] == "random" && c["rr"] == 30 && c["samples"] == 4 { four = c["noise"] }
+    c["series"] == "methods" && c["method"] == "random" && c["rr"] == 30 && c["samples"] == 64 { seen = 1
+      if (four / c["noise"] < 3.6 || four / c["noise"] > 4.4) bad("ratio " four / c["noise"]) }'
+check "seen from the object s centre, the largest map leaves little of the floor" "$tmp/samples.tsv" '
+    c["series"] == "floor" { if (c["env_size_px"] > size) { size = c["env_size_px"]; floor = c["floor"]; centre = c["floor_centre"] } seen = 1 }
+    END { if (!(floor > 0.01 && centre < 0.2 * floor)) print "floor " floor ", from the centre " centre }'
+
+# One case by hand: regular 13 at R_r 30, the paper's settings, at the study's size.
+scene=studies/scenes/teapot-star.yaml
+"$rl" render $scene --method regular --rr 30 --size 160x120 -o "$tmp/a.exr" 2>"$tmp/err" || cat "$tmp/err"
+"$rl" render $scene --method reference --rr 30 --size 160x120 --tolerance 1e-4 -o "$tmp/r.exr" 2>"$tmp/err" || cat "$tmp/err"
+"$rl" compare "$tmp/a.exr" "$tmp/r.exr" | tail -1 >"$tmp/hand"
+read -r rmse mae largest bias relmse rest <"$tmp/hand"
+check "a case made by hand has the same figures" "$tmp/samples.tsv" '
+    c["series"] == "methods" && c["setting"] == "paper" && c["method"] == "regular" && c["rr"] == 30 && c["samples"] == 13 { seen = 1
+      if (!near(c["rmse"], '"$rmse"', 1e-5)) bad("rmse " c["rmse"] ", by hand '"$rmse"'")
+      if (!near(c["mae"], '"$mae"', 1e-5)) bad("mae " c["mae"] ", by hand '"$mae"'")
+      if (!near(c["max"], '"$largest"', 1e-5)) bad("max " c["max"] ", by hand '"$largest"'")
+      if (!near(c["bias"], '"$bias"', 1e-5)) bad("bias " c["bias"] ", by hand '"$bias"'")
+      if (!near(c["relmse"], '"$relmse"', 1e-5)) bad("relmse " c["relmse"] ", by hand '"$relmse"'") }'
+echo "1..$n"
