@@ -124,7 +124,7 @@ static int plot_error(const struct row *row, int m, struct rl_error *error)
     path_of(output, row, "error", methods[m].file, "png");
     snprintf(width, sizeof width, "%d", image->width);
     snprintf(height, sizeof height, "%d", image->height);
-    snprintf(scale, sizeof scale, "%g", row->scale);
+    snprintf(scale, sizeof scale, "%.12f", row->scale); /* gnuplot reads no exponent here */
     size_t bytes = (size_t)image->width * (size_t)image->height * sizeof *image->data;
     int status = rl_file_write(matrix, image->data, bytes, error);
     if (status != RL_OK)
@@ -138,7 +138,7 @@ static int plot_error(const struct row *row, int m, struct rl_error *error)
 static void add_picture(struct rl_buffer *page, const struct row *row, const char *file, const char *title,
                         size_t clipped)
 {
-    char png[160], exr[160], text[256];
+    char png[160], exr[160], text[512];
     snprintf(png, sizeof png, "picture-rr%g-%s.png", row->rr, file);
     snprintf(exr, sizeof exr, "picture-rr%g-%s.exr", row->rr, file);
     char note[96] = "";
@@ -151,7 +151,7 @@ static void add_picture(struct rl_buffer *page, const struct row *row, const cha
 
 static void add_row(struct rl_buffer *page, const struct row *row)
 {
-    char text[256], source[160];
+    char text[512], source[160];
     snprintf(text, sizeof text, "R_r = %g", row->rr);
     rl_html_element(page, "h3", text);
     rl_buffer_add(page, "<div class=\"row\">\n");
@@ -170,7 +170,8 @@ static void add_row(struct rl_buffer *page, const struct row *row)
     snprintf(
         text, sizeof text,
         "Picture minus reference, mean of the colours: blue is too dark, orange too bright, white is right. "
-        "Colours end at ±%g.",
+        "Colours end at ±%g. However rough, a faint sharp image of the light remains: per solid angle the "
+        "distribution is D/|sin delta|, unbounded at the mirror direction.",
         row->scale);
     rl_html_element(page, "p", text);
     rl_buffer_add(page, "</div>\n");
@@ -202,7 +203,7 @@ static int make_row(struct rl_buffer *page, struct row *row, struct rl_bench *be
 int rl_gallery_make(struct rl_buffer *page, const struct rl_gallery *gallery, struct rl_bench *bench,
                     const struct rl_progress *progress, struct rl_error *error)
 {
-    char text[256];
+    char text[512];
     rl_buffer_add(page, "<h2 id=\"pictures\">Pictures</h2>\n");
     snprintf(text, sizeof text,
              "%.60s at %d x %d pixels with the paper's settings: 8-bit normal map, environment map of 256 "

@@ -54,10 +54,11 @@ static void add_opening(struct page *p)
     rl_html_text(&p->text, text);
     rl_buffer_add(&p->text, "</p>\n");
     if (where) {
-        snprintf(
-            text, sizeof text,
-            "Measured on %.100s with %d threads; renderer %.100s (%.30s). Every interval is one of 95 %%.",
-            where->cpu, where->threads, where->renderer, where->backend);
+        snprintf(text, sizeof text,
+                 "Measured on %.100s with %d threads; renderer %.100s (%.30s): speeds are this renderer's, "
+                 "and no verdict on the paper's own machine. Every interval is one of 95 %%: of errors and "
+                 "times over seeds and frames, of noise and floor over blocks of the picture.",
+                 where->cpu, where->threads, where->renderer, where->backend);
         rl_html_element(&p->text, "p", text);
     }
 }
@@ -68,9 +69,21 @@ static void add_verdicts(struct page *p)
         &p->text,
         "<h2 id=\"verdicts\">Verdicts</h2>\n<p>Claims marked <em>paper</em> are stated or implied by Kimura "
         "and Tokoi; those marked <em>ours</em> follow from their method. Each verdict is computed from the "
-        "figures below; the command measures it anew. <a href=\"claims.tsv\">claims.tsv</a> holds the "
+        "figures below; the command is what measured it (cases of a database that are done are not measured "
+        "again). <a href=\"claims.tsv\">claims.tsv</a> holds the "
         "table.</p>\n");
     rl_report_claims(&p->text, &p->data->claims);
+}
+
+/* In place of a figure that gnuplot could not draw, mostly because nothing in it is positive: why. */
+static int add_missing_plot(struct page *p, const struct rl_figure *figure, const char *path)
+{
+    char text[1200];
+    snprintf(text, sizeof text, "Figure %s could not be drawn: %.1000s", figure->name, p->error->message);
+    rl_html_element(&p->text, "p", text);
+    remove(path); /* the empty or half picture that gnuplot left */
+    rl_progress_update(p->progress, "plots", ++p->plots_done, p->plots_total);
+    return RL_OK;
 }
 
 /* One figure of one scene as SVG and PNG. */
@@ -85,8 +98,10 @@ static int plot(struct page *p, const struct rl_study *study, const struct rl_fi
         snprintf(path, sizeof path, "%s/%s", p->options->folder, file[k]);
         const char *arguments[] = {p->options->folder, path, figure->name, scene, NULL};
         int status = rl_plot(script, arguments, p->error);
-        if (status != RL_OK)
+        if (status == RL_ERR_UNAVAILABLE || status == RL_ERR_CANCELLED)
             return status;
+        if (status != RL_OK) /* one scene without a highlight, say, does not cost the page */
+            return add_missing_plot(p, figure, path);
     }
     const struct rl_html_link links[] = {{"SVG", file[0]}, {"PNG", file[1]}, {NULL, NULL}};
     rl_html_figure(&p->text, file[0], figure->caption, figure->caption, links);

@@ -189,7 +189,8 @@ const struct rl_study rl_study_samples = {
             "(random) is compared with the "
             "reference, which integrates the same highlight on the true polygons in double precision. Errors "
             "are of linear "
-            "radiance over the object's pixels, 1 being full scale. With several seeds the squared error "
+            "radiance over all pixels of the foreground (in teapot-star the dull table too), 1 being full "
+            "scale. With several seeds the squared error "
             "splits into variance "
             "(noise) and bias squared (floor).",
     .scenes = scenes,

@@ -307,17 +307,20 @@ static int claim_against_regular(const struct view *v, const double *rr, size_t 
         struct rl_claim *c = begin_claim(v, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
+        enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *random = find(v, "random", 4, rr[i], row[k].metric);
             const struct rl_metric *regular = find(v, "regular", 13, rr[i], row[k].metric);
             if (!random || !regular)
                 continue;
             append(c->note, sizeof c->note, rr[i], random->value / regular->value);
-            if (rr[i] != nearest_rr(rr, n))
-                continue;
-            ratio_value(c, random, regular, "1");
-            c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
+            struct rl_claim ratio = {0};
+            ratio_value(&ratio, random, regular, "1");
+            verdict[i] = rl_verdict_at_most(ratio.low, ratio.high, 1.0);
+            if (rr[i] == nearest_rr(rr, n))
+                rl_claim_value(c, ratio.value, ratio.low, ratio.high, "1");
         }
+        judge_along_rr(c, rr, verdict, n);
     }
     return RL_OK;
 }

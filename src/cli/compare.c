@@ -1,5 +1,7 @@
 /* `compare`: error metrics of an image against a reference, one row. */
+#include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "cli/command.h"
 #include "cli/output.h"
@@ -8,6 +10,7 @@
 
 static const struct rl_option options_compare[] = {
     {0, "max-rmse", "E", "fail (exit 1) if the RMSE is above E"},
+    {0, "max-mismatched", "N", "fail (exit 1) if more than N pixels are covered in one image only"},
     {'o', "error-image", "FILE", "also write the signed error per pixel (.exr)"},
     {0},
 };
@@ -42,13 +45,28 @@ static int write_error_image(const char *path, const struct rl_image *image, con
     return status;
 }
 
+/* A signed error has no place in a PNG. */
+static int check_error_image(const char *path, struct rl_error *error)
+{
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    if (!path || (dot && strcmp(dot, ".exr") == 0))
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "--error-image: found '%s', expected a file name ending in .exr",
+                   path);
+}
+
 static int compare(const struct rl_image *image, const struct rl_image *reference,
                    const struct rl_arguments *a, struct rl_error *error)
 {
     double limit = INFINITY;
+    long long most_mismatched = LLONG_MAX;
     enum rl_output format;
     struct rl_metrics metrics;
     int status = rl_argument_number(a, "max-rmse", 0.0, 1e300, &limit, error);
+    if (status == RL_OK)
+        status = rl_argument_integer(a, "max-mismatched", 0, LLONG_MAX, &most_mismatched, error);
+    if (status == RL_OK)
+        status = check_error_image(rl_argument(a, "error-image"), error);
     if (status == RL_OK)
         status = rl_argument_output(a, &format, error);
     if (status == RL_OK)
@@ -63,6 +81,9 @@ static int compare(const struct rl_image *image, const struct rl_image *referenc
         return status;
     if (metrics.rmse > limit)
         return rl_fail(error, RL_ERR_CHECK, "RMSE %g is above %g", metrics.rmse, limit);
+    if ((long long)metrics.mismatched > most_mismatched)
+        return rl_fail(error, RL_ERR_CHECK, "%zu pixels are covered in one image only, more than %lld",
+                       metrics.mismatched, most_mismatched);
     return RL_OK;
 }
 

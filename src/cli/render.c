@@ -30,14 +30,18 @@ static int draw_on_gpu(struct drawing *d, const struct rl_scene *scene, const st
 {
     struct rl_gpu *gpu = NULL;
     struct rl_gpu_scene *gs = NULL;
+    struct rl_console console;
+    const struct rl_progress *progress = rl_console_begin(&console);
     int status = rl_gpu_open(&gpu, backend, error);
     if (status == RL_OK)
         status = rl_gpu_scene_make(&gs, gpu, scene, plan, error);
-    if (status == RL_OK)
+    /* The first frame compiles the shaders; the second is what a frame takes. A frame itself cannot be interrupted. */
+    for (int frame = 0; frame < 2 && status == RL_OK; frame++) {
         status = rl_gpu_scene_frame(gs, &d->seconds, error);
-    /* The first frame compiled the shaders; the second is what a frame takes. */
-    if (status == RL_OK)
-        status = rl_gpu_scene_frame(gs, &d->seconds, error);
+        if (status == RL_OK && rl_progress_cancelled(progress))
+            status = rl_fail(error, RL_ERR_CANCELLED, "interrupted");
+    }
+    rl_console_end(&console);
     if (status == RL_OK)
         status = rl_gpu_scene_read(gs, &d->image, error);
     if (status == RL_OK) {

@@ -2,6 +2,7 @@
 #include "cli/render_options.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -89,9 +90,11 @@ static int take_light_from(struct rl_settings *settings, const char *text, struc
 static int take_seed(struct rl_settings *settings, const char *text, struct rl_error *error)
 {
     char *end = NULL;
+    errno = 0;
     settings->seed = strtoull(text, &end, 10);
-    if (text[0] < '0' || text[0] > '9' || *end != '\0')
-        return rl_fail(error, RL_ERR_INPUT, "--seed: found '%s', expected a whole number >= 0", text);
+    if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0)
+        return rl_fail(error, RL_ERR_INPUT, "--seed: found '%s', expected a whole number from 0 to 2^64 - 1",
+                       text);
     return RL_OK;
 }
 

@@ -50,7 +50,7 @@ enum rl_verdict rl_verdict_equals(double low, double high, double target, double
 {
     if (high < target - margin || low > target + margin)
         return RL_VERDICT_FAILS;
-    return high - low <= 4.0 * margin ? RL_VERDICT_HOLDS : RL_VERDICT_INCONCLUSIVE;
+    return low >= target - margin && high <= target + margin ? RL_VERDICT_HOLDS : RL_VERDICT_INCONCLUSIVE;
 }
 
 const char *rl_verdict_name(enum rl_verdict verdict)

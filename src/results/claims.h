@@ -46,8 +46,8 @@ void rl_claim_value(struct rl_claim *claim, double value, double low, double hig
  * inconclusive. */
 enum rl_verdict rl_verdict_at_least(double low, double high, double bound);
 enum rl_verdict rl_verdict_at_most(double low, double high, double bound);
-/* "The value is `target`", to within `margin`: holds if the interval meets [target - margin, target + margin] and is itself at most
- * 4 margins wide, inconclusive if it meets and is wider, fails if it does not meet. */
+/* "The value is `target`", to within `margin` (an equivalence test): holds if the interval lies in [target - margin, target + margin],
+ * fails if it lies outside, inconclusive if it reaches over an end. */
 enum rl_verdict rl_verdict_equals(double low, double high, double target, double margin);
 
 /* "holds", "holds up to", "fails", "inconclusive". */

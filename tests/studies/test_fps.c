@@ -75,7 +75,7 @@ static void test_flips(void **state)
     w.again = 9.9;
     assert_int_equal(judge(w, faster).verdict, RL_VERDICT_INCONCLUSIVE);
 
-    static const char plain[] = "paper: the light's shape costs a factor of 530/38";
+    static const char plain[] = "the light's shape costs a factor of 530/38";
     w = usual;
     assert_int_equal(judge(w, plain).verdict, RL_VERDICT_FAILS);
     w.plain = w.random / 13.9;
