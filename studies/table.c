@@ -47,14 +47,36 @@ const char *rl_run_scene(const struct rl_run *run, size_t i)
     return NULL;
 }
 
+/* As a shell reads it: in single quotes where it has more than letters, digits and ./_- in it. */
+static void quote_word(char text[], size_t size, const char *word)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789./_-";
+    if (word[strspn(word, plain)] == '\0') {
+        snprintf(text, size, "%s", word);
+        return;
+    }
+    size_t n = 0;
+    text[n++] = '\'';
+    for (; *word && n + 6 < size; word++) {
+        if (*word == '\'') /* ends the quotes, is escaped, begins them again */
+            n += (size_t)snprintf(text + n, size - n, "'\\''");
+        else
+            text[n++] = *word;
+    }
+    text[n++] = '\'';
+    text[n] = '\0';
+}
+
 void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene)
 {
     const char *path = scene;
+    char word[200];
     for (size_t i = 0; i < run->n_records; i++)
         if (strcmp(run->record[i].scene, scene) == 0)
             path = run->record[i].scene_path;
     bool is_default = strcmp(run->grid, rl_grid_name(RL_GRID_DEFAULT)) == 0;
+    quote_word(word, sizeof word, path);
     snprintf(claim->study, sizeof claim->study, "%s", run->study);
-    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s --scene %.150s%s%.20s",
-             run->study, path, is_default ? "" : " --", is_default ? "" : run->grid);
+    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s --scene %.199s%s%.20s",
+             run->study, word, is_default ? "" : " --", is_default ? "" : run->grid);
 }
