@@ -1,7 +1,7 @@
 # roughlight: `make` builds, `make test` tests, `make report` does the main job; `make help` lists the rest.
 #
 # Variables that may be given: CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS PREFIX DESTDIR, and
-#   BUILD=dir          where everything made goes                     (build; build/sanitize-... with SANITIZE)
+#   BUILD=dir          where everything made goes, in this tree       (build; build/sanitize-... with SANITIZE)
 #   SANITIZE=list      compile with -fsanitize=list                   make SANITIZE=address,undefined test
 #   WERROR=1           warnings are errors
 #   T=names            only these tests: module or module/name        make test T="scene/mesh model"

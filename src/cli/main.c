@@ -30,7 +30,9 @@ static void print_help(void)
            "stdout is data, stderr is talk. Exit: 0 done, 1 a check failed, 2 bad usage or input, 3 some "
            "cases failed,\n"
            "130 interrupted.\n"
-           "ROUGHLIGHT_BACKEND and ROUGHLIGHT_THREADS set the defaults of --backend and --threads.\n");
+           "ROUGHLIGHT_BACKEND and ROUGHLIGHT_THREADS set the defaults of --backend and --threads;\n"
+           "ROUGHLIGHT_DATA names the folder that holds shaders/ and plots/ where they are not found by "
+           "themselves.\n");
 }
 
 static const struct rl_command *find(const char *name)
