@@ -141,15 +141,15 @@ static int measure_group(struct work *w, size_t first, size_t end, struct rl_err
 }
 
 /* How many groups are to be measured; what is done is counted as skipped. */
-static int count_todo(struct work *w, size_t *todo, struct rl_error *error)
+static int count_pending(struct work *w, size_t *pending, struct rl_error *error)
 {
     int status = RL_OK;
-    *todo = 0;
+    *pending = 0;
     for (size_t first = 0, end; first < w->run.n_records && status == RL_OK; first = end) {
         bool done = false;
         end = group_end(&w->run, first);
         status = group_done(w, first, end, &done, error);
-        *todo += !done;
+        *pending += !done;
         w->outcome->skipped += done ? end - first : 0;
     }
     return status;
@@ -158,8 +158,8 @@ static int count_todo(struct work *w, size_t *todo, struct rl_error *error)
 /* Measures what is not done. */
 static int measure(struct work *w, const struct rl_progress *progress, struct rl_error *error)
 {
-    size_t todo, finished = 0;
-    int status = count_todo(w, &todo, error);
+    size_t pending, finished = 0;
+    int status = count_pending(w, &pending, error);
     for (size_t first = 0, end; first < w->run.n_records && status == RL_OK; first = end) {
         bool done = false;
         end = group_end(&w->run, first);
@@ -170,7 +170,7 @@ static int measure(struct work *w, const struct rl_progress *progress, struct rl
             return rl_fail(error, RL_ERR_CANCELLED, "interrupted; what was finished is kept");
         status = measure_group(w, first, end, error);
         if (status == RL_OK)
-            rl_progress_update(progress, w->study->name, ++finished, todo);
+            rl_progress_update(progress, w->study->name, ++finished, pending);
     }
     return status;
 }
