@@ -11,8 +11,14 @@
 #include "base/files.h"
 #include "base/paths.h"
 
-/* The numbers of the texts that are in no file; module numbers are below. */
-enum { NUMBER_DEFINES = RL_PLAN_MODULES_MAX, NUMBER_GLUE };
+/* The numbers of the texts that are in no file; module numbers are below. Text K's lines are numbered from
+ * (K + 1) LINES_PER_TEXT + 1. */
+enum { NUMBER_DEFINES = RL_PLAN_MODULES_MAX, NUMBER_GLUE, LINES_PER_TEXT = 10000 };
+
+static void begin_text(FILE *out, size_t number)
+{
+    fprintf(out, "#line %zu\n", (number + 1) * LINES_PER_TEXT + 1);
+}
 
 static int append_module(FILE *out, const char *module, size_t number, struct rl_error *error)
 {
@@ -26,7 +32,8 @@ static int append_module(FILE *out, const char *module, size_t number, struct rl
         status = rl_file_read(&text, &size, path, error);
     if (status != RL_OK)
         return status;
-    fprintf(out, "#line 1 %zu\n%s\n", number, text);
+    begin_text(out, number);
+    fprintf(out, "%s\n", text);
     free(text);
     return RL_OK;
 }
@@ -39,11 +46,15 @@ int rl_modules_assemble(char **source, const struct rl_plan_program *program, si
     FILE *out = open_memstream(source, &size);
     if (!out)
         return rl_fail_memory(error, "a shader");
-    fprintf(out, "#version 450 core\n#line 1 %d\n%s", NUMBER_DEFINES, defines);
+    fprintf(out, "#version 450 core\n");
+    begin_text(out, NUMBER_DEFINES);
+    fprintf(out, "%s", defines);
     int status = RL_OK;
     for (size_t i = first; i < end && status == RL_OK; i++) {
-        if (glue && i + 1 == end)
-            fprintf(out, "#line 1 %d\n%s", NUMBER_GLUE, glue);
+        if (glue && i + 1 == end) {
+            begin_text(out, NUMBER_GLUE);
+            fprintf(out, "%s", glue);
+        }
         status = append_module(out, program->module[i], i, error);
     }
     if (fclose(out) != 0 && status == RL_OK)
@@ -88,12 +99,12 @@ static bool skip_number(const char **at, unsigned long *number)
 }
 
 /* Mesa writes "K:LINE(COLUMN): error: ...", others "K(LINE) : error ..." or "ERROR: K:LINE: ...". */
-static bool parse_place(const char **message, unsigned long *number, unsigned long *line)
+static bool parse_place(const char **message, unsigned long *line)
 {
-    unsigned long column;
+    unsigned long string, column;
     const char *at = *message;
     skip(&at, "ERROR: ");
-    if (!skip_number(&at, number))
+    if (!skip_number(&at, &string))
         return false;
     if (skip(&at, "(")) {
         if (!skip_number(&at, line) || !skip(&at, ") : "))
@@ -113,9 +124,10 @@ static bool parse_place(const char **message, unsigned long *number, unsigned lo
 int rl_modules_fail(const struct rl_plan_program *program, const char *log, struct rl_error *error)
 {
     const char *message = first_error(log);
-    unsigned long number = 0;
     unsigned long line = 0;
-    bool placed = parse_place(&message, &number, &line);
+    bool placed = parse_place(&message, &line) && line > LINES_PER_TEXT;
+    unsigned long number = placed ? line / LINES_PER_TEXT - 1 : 0;
+    line %= LINES_PER_TEXT;
     int length = (int)strcspn(message, "\n");
     if (placed && number < program->n_modules)
         return rl_fail(error, RL_ERR_INPUT, "shaders/%s.glsl:%lu: %.*s", program->module[number], line,

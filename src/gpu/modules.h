@@ -1,8 +1,8 @@
 /* Shader modules: the files under shaders/, put together into the source of one shader, and compiler messages
  * traced back to them.
  *
- * Every module is preceded by "#line 1 K", K its number in the plan's program, so that a message about line
- * 12 of string 3 is one about line 12 of module 3's file.
+ * Module K's lines are numbered from (K + 1) 10000 + 1 by a #line directive, so that a message about line 40012 is one about
+ * line 12 of module 3's file. GLSL's own string numbers would not do: Mesa gives 0 for all but errors of syntax.
  */
 #ifndef RL_GPU_MODULES_H
 #define RL_GPU_MODULES_H
