@@ -36,6 +36,8 @@ stats data using (strcol("scene") eq scene && column("rr") == 30 && column("fram
 
 step = 1.0 / 255.0
 stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
+# A scene without a highlight has no error. Exit status 3 says that there is nothing to draw.
+if (!exists("RMSE_min")) { exit status 3 }
 decade_low = 10 ** floor(log10(RMSE_min < step ? RMSE_min : step))
 decade_high = 10 ** ceil(log10(RMSE_max))
 # The guide of slope -1/2 is the noise of one random normal at R_r = 30, divided by the root of N.
@@ -93,6 +95,7 @@ if (figure eq "floor") {
     stats data using (here(positive(column("floor")))) name "FLOOR" nooutput
     stats data using (here(positive(column("floor_centre")))) name "CENTRE" nooutput
     stats data using (here(column("parallax"))) name "PARALLAX" nooutput
+    if (!exists("FLOOR_max") || !exists("CENTRE_min")) { exit status 3 }
     set xrange [SIZE_min / 1.3:SIZE_max * 1.3]
     low = CENTRE_min < step ? CENTRE_min : step
     set yrange [10 ** floor(log10(low)):10 ** ceil(log10(FLOOR_max > PARALLAX_max ? FLOOR_max : PARALLAX_max))]
@@ -112,6 +115,7 @@ if (figure eq "time") {
     set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
     set format x "%g"
     stats data using (strcol("scene") eq scene && column("frame_ms") > 0 ? column("frame_ms") : NaN) name "MS" nooutput
+    if (!exists("MS_min")) { exit status 3 }
     set xrange [MS_min / 1.5:MS_max * 1.8]
     set yrange [(RMSE_min < step ? RMSE_min : step) / 1.5:RMSE_max * 1.5]
     timed(setting, method) = row("methods", setting, method) && column("rr") == 30 && column("frame_ms") > 0

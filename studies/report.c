@@ -75,13 +75,13 @@ static void add_verdicts(struct page *p)
     rl_report_claims(&p->text, &p->data->claims);
 }
 
-/* In place of a figure that gnuplot could not draw, mostly because nothing in it is positive: why. */
+/* In place of a figure that has nothing to draw: why. */
 static int add_missing_plot(struct page *p, const struct rl_figure *figure, const char *path)
 {
     char text[1200];
-    snprintf(text, sizeof text, "Figure %s could not be drawn: %.1000s", figure->name, p->error->message);
+    snprintf(text, sizeof text, "Figure %s: %.1000s", figure->name, p->error->message);
     rl_html_element(&p->text, "p", text);
-    remove(path); /* the empty or half picture that gnuplot left */
+    remove(path); /* an empty picture, if gnuplot left one */
     rl_progress_update(p->progress, "plots", ++p->plots_done, p->plots_total);
     return RL_OK;
 }
@@ -98,10 +98,13 @@ static int plot(struct page *p, const struct rl_study *study, const struct rl_fi
         snprintf(path, sizeof path, "%s/%s", p->options->folder, file[k]);
         const char *arguments[] = {p->options->folder, path, figure->name, scene, NULL};
         int status = rl_plot(script, arguments, p->error);
-        if (status == RL_ERR_UNAVAILABLE || status == RL_ERR_CANCELLED)
-            return status;
-        if (status != RL_OK) /* one scene without a highlight, say, does not cost the page */
+        /* Ctrl-C on a terminal ends gnuplot as well: that is no fault of the figure. */
+        if (rl_progress_cancelled(p->progress))
+            return rl_fail(p->error, RL_ERR_CANCELLED, "interrupted while the plots were drawn");
+        if (status == RL_ERR_CHECK) /* one scene without a highlight, say, does not cost the page */
             return add_missing_plot(p, figure, path);
+        if (status != RL_OK)
+            return status;
     }
     const struct rl_html_link links[] = {{"SVG", file[0]}, {"PNG", file[1]}, {NULL, NULL}};
     rl_html_figure(&p->text, file[0], figure->caption, figure->caption, links);

@@ -84,6 +84,9 @@ static int start(pid_t *pid, int pipe_end[2], char *const argv[], struct rl_erro
     return RL_OK;
 }
 
+/* What a script says with `exit status 3`; gnuplot itself ends with 1 on an error. */
+enum { EXIT_NOTHING_TO_DRAW = 3 };
+
 static int run_gnuplot(char *const argv[], const char *script, struct rl_error *error)
 {
     int pipe_end[2];
@@ -98,7 +101,9 @@ static int run_gnuplot(char *const argv[], const char *script, struct rl_error *
         int ended = 0;
         while (waitpid(pid, &ended, 0) < 0 && errno == EINTR)
             continue;
-        if (!WIFEXITED(ended) || WEXITSTATUS(ended) != 0)
+        if (WIFEXITED(ended) && WEXITSTATUS(ended) == EXIT_NOTHING_TO_DRAW)
+            status = rl_fail(error, RL_ERR_CHECK, "plots/%s: nothing to draw: no value is positive", script);
+        else if (!WIFEXITED(ended) || WEXITSTATUS(ended) != 0)
             status = rl_fail(error, RL_ERR_SYSTEM, "plots/%s: gnuplot failed: %s", script, last_line(output));
     }
     close(pipe_end[0]);

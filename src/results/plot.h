@@ -13,8 +13,8 @@
 
 enum { RL_PLOT_ARGUMENTS_MAX = 8 };
 
-/* `script` is a file of the folder plots/. RL_ERR_UNAVAILABLE: there is no gnuplot on the PATH. RL_ERR_SYSTEM: it failed; the
- * message holds gnuplot's own last line. */
+/* `script` is a file of the folder plots/. RL_ERR_UNAVAILABLE: there is no gnuplot on the PATH. RL_ERR_CHECK: the script
+ * found nothing to draw (it says so with `exit status 3`). RL_ERR_SYSTEM: it failed; the message holds gnuplot's own last line. */
 int rl_plot(const char *script, const char *const arguments[], struct rl_error *error);
 
 #endif

@@ -58,21 +58,23 @@ for pause in 0.3 0.9 1.6; do
     kill -KILL $pid 2>/dev/null
     wait $pid 2>/dev/null
 done
-measured() { # cases of samples that the database has
-    "$rl" study status --db "$db" 2>/dev/null | awk -F "$tab" '$1 == "samples" { n = $5 } END { print n + 0 }'
+measured() { # cases of samples that a database has
+    "$rl" study status --db "$1" 2>/dev/null | awk -F "$tab" '$1 == "samples" { n = $5 } END { print n + 0 }'
 }
-"$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr" &
+# The default grid takes a minute and more: it cannot end before it is interrupted.
+"$rl" study run samples --db "$tmp/long/r.db" 2>"$tmp/stderr" &
 pid=$!
-for attempt in $(seq 100); do
-    [ "$(measured)" -ge 4 ] && break
+for attempt in $(seq 300); do
+    [ "$(measured "$tmp/long/r.db")" -ge 4 ] && break
     sleep 0.1
 done
 kill -INT $pid
 wait $pid
 check "Ctrl-C gives exit code 130" [ $? -eq 130 ]
 check "and says what was finished" grep -q "cases: .* measured" "$tmp/stderr"
-kept=$(measured)
-check "what was finished before is kept: $kept of 24" [ "$kept" -ge 4 -a "$kept" -lt 24 ]
+kept=$(measured "$tmp/long/r.db")
+check "what was finished before is kept: $kept of 85" [ "$kept" -ge 4 -a "$kept" -lt 85 ]
+rm -rf "$tmp/long"
 
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
 check "the next run finishes" [ $? -eq 0 ]
@@ -124,6 +126,14 @@ missing=$(grep -o '\(src\|href\)="[^"#][^"]*"' "$page" | sed 's/.*="//; s/"$//' 
 done)
 check "every file it refers to is there ($missing)" [ -z "$missing" ]
 check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
+check "every figure is drawn, as SVG and as PNG" [ "$(ls "$tmp"/report/samples-*.svg "$tmp"/report/fps-*.svg | wc -l)" -eq 8 \
+    -a "$(ls "$tmp"/report/samples-*.png "$tmp"/report/fps-*.png | wc -l)" -eq 8 ]
+check "and none is missing" [ "$(grep -c 'nothing to draw' "$page")" -eq 0 ]
+cp shaders/methods/random.glsl "$tmp/empty/shaders/methods/"
+echo "oops oops" >>"$tmp/empty/plots/samples.gp"
+ROUGHLIGHT_DATA=$tmp/empty "$rl" study report --db "$db" -o "$tmp/broken-plots" 2>"$tmp/stderr"
+check "a script that fails fails the report" [ $? -eq 2 ]
+check "and is named" grep -q "plots/samples.gp: gnuplot failed" "$tmp/stderr"
 PATH=$tmp/empty "$rl" study report --db "$db" -o "$tmp/no-plots" 2>"$tmp/stderr"
 check "without gnuplot: exit code 2 and its name" grep -q "gnuplot: not found" "$tmp/stderr"
 
