@@ -57,7 +57,7 @@ static void add_opening(struct page *p)
         snprintf(text, sizeof text,
                  "Measured on %.100s with %d threads; renderer %.100s (%.30s): speeds are this renderer's, "
                  "and no verdict on the paper's own machine. Every interval is one of 95 %%: of errors and "
-                 "times over seeds and frames, of noise and floor over blocks of the picture.",
+                 "times over seeds and frames.",
                  where->cpu, where->threads, where->renderer, where->backend);
         rl_html_element(&p->text, "p", text);
     }

@@ -11,10 +11,6 @@
 #define LEVEL 0.95
 #define RELATIVE_OFFSET 0.01 /* keeps relMSE finite where the reference is black */
 
-enum {
-    TILES = 16 /* blocks for confidence intervals: along the image's longer side */
-};
-
 /* Where an image keeps what is compared. */
 struct layout {
     int colours;   /* 3: R, G, B; 1: Y; 0: neither */
@@ -194,12 +190,10 @@ int rl_error_image(struct rl_image *out, const struct rl_image *image, const str
 
 /* ---- Bias and variance ---- */
 
-enum quantity { BIAS2, VARIANCE, QUANTITIES };
-
-/* Sums over a tile's values, a value being one colour channel of one foreground pixel. */
-struct block {
-    double sum[QUANTITIES];
-    size_t values;
+/* Sums over the foreground's values, a value being one colour channel of one pixel: of the two estimates, and of what they
+ * would be without seed j. */
+struct estimate {
+    struct rl_sum bias2, variance;
 };
 
 /* The images' layouts beside the images themselves. */
@@ -211,49 +205,34 @@ struct seeds {
     struct layout reference_layout;
 };
 
-/* The mean over all values; and its interval from how far each block's sum is from its share of the whole (a
- * ratio estimate: blocks at a silhouette hold fewer values). */
-static struct rl_interval pool(const struct block *blocks, size_t n, enum quantity q)
+/* (mean - r)^2 and the variance are biased and unbiased; taking variance/n off makes both unbiased. */
+static void add_value(struct estimate *e, double deviation, double squares, double n)
 {
-    struct rl_sum sum = {0};
-    struct rl_sum squares = {0};
-    double values = 0.0;
-    double used = 0.0;
-    for (size_t i = 0; i < n; i++) {
-        rl_sum_add(&sum, blocks[i].sum[q]);
-        values += (double)blocks[i].values;
-        used += blocks[i].values > 0;
-    }
-    double mean = rl_sum_value(&sum) / values;
-    for (size_t i = 0; i < n; i++) {
-        double residual = blocks[i].sum[q] - mean * (double)blocks[i].values;
-        rl_sum_add(&squares, residual * residual);
-    }
-    double half = INFINITY;
-    if (used > 1.0)
-        half = rl_student_factor(LEVEL, used - 1.0) * sqrt(used / (used - 1.0) * rl_sum_value(&squares)) /
-               values;
-    return (struct rl_interval){.value = mean, .low = mean - half, .high = mean + half};
+    double variance = squares / (n - 1.0);
+    rl_sum_add(&e->variance, variance);
+    rl_sum_add(&e->bias2, deviation * deviation - variance / n);
 }
 
-/* One pixel's unbiased estimates. */
-static void add_seeds(struct block *block, const struct seeds *s, size_t pixel)
+/* One pixel. Without v_j the mean is mean - d_j/(K - 1), d_j = v_j - mean, and the squared deviations lose d_j^2 K/(K - 1). */
+static void add_seeds(struct estimate *all, struct estimate *without, const struct seeds *s, size_t pixel)
 {
+    double K = (double)s->n;
     const float *reference = pixel_at(s->reference, pixel);
     for (int c = 0; c < s->reference_layout.colours; c++) {
         double r = reference[s->reference_layout.colour[c]];
         double mean = 0.0;
-        for (size_t k = 0; k < s->n; k++)
-            mean += pixel_at(s->image[k], pixel)[s->layout[k].colour[c]] / (double)s->n;
         double squares = 0.0;
+        for (size_t k = 0; k < s->n; k++)
+            mean += pixel_at(s->image[k], pixel)[s->layout[k].colour[c]] / K;
         for (size_t k = 0; k < s->n; k++) {
             double d = pixel_at(s->image[k], pixel)[s->layout[k].colour[c]] - mean;
             squares += d * d;
         }
-        double variance = squares / ((double)s->n - 1.0);
-        block->sum[VARIANCE] += variance;
-        block->sum[BIAS2] += (mean - r) * (mean - r) - variance / (double)s->n;
-        block->values++;
+        add_value(all, mean - r, squares, K);
+        for (size_t k = 0; k < s->n && s->n > 2; k++) {
+            double d = pixel_at(s->image[k], pixel)[s->layout[k].colour[c]] - mean;
+            add_value(&without[k], mean - d / (K - 1.0) - r, squares - d * d * K / (K - 1.0), K - 1.0);
+        }
     }
 }
 
@@ -265,21 +244,19 @@ static bool covered_by_all(const struct seeds *s, size_t pixel)
     return all;
 }
 
-/* Square tiles: neighbouring pixels' errors may depend on each other, tiles' hardly. Returns the number of
- * blocks. */
-static size_t add_tiles(struct block blocks[TILES * TILES], const struct seeds *s)
+/* Half the interval's width, by the jackknife over seeds (Tukey 1958): the seeds are what is drawn at random, the picture is
+ * not. Slightly too wide where the estimate is far from linear in the seeds (Efron and Stein 1981). Two seeds tell nothing. */
+static double jackknife(const double *without, size_t n)
 {
-    int width = s->reference->width;
-    int height = s->reference->height;
-    int side = ((width > height ? width : height) + TILES - 1) / TILES;
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
-            size_t pixel = (size_t)y * (size_t)width + (size_t)x;
-            if (covered_by_all(s, pixel))
-                add_seeds(&blocks[(y / side) * TILES + x / side], s, pixel);
-        }
-    }
-    return (size_t)TILES * TILES;
+    double mean = 0.0;
+    double squares = 0.0;
+    if (n < 3)
+        return INFINITY;
+    for (size_t k = 0; k < n; k++)
+        mean += without[k] / (double)n;
+    for (size_t k = 0; k < n; k++)
+        squares += (without[k] - mean) * (without[k] - mean);
+    return rl_student_factor(LEVEL, (double)n - 1.0) * sqrt((double)(n - 1) / (double)n * squares);
 }
 
 static int check_seeds(const struct seeds *s, struct rl_error *error)
@@ -296,28 +273,35 @@ static int check_seeds(const struct seeds *s, struct rl_error *error)
     return RL_OK;
 }
 
-static int split(struct rl_bias_variance *out, struct seeds *s, struct rl_error *error)
+static int split(struct rl_bias_variance *out, const struct seeds *s, struct estimate *without,
+                 double *values, struct rl_error *error)
 {
-    for (size_t k = 0; k < s->n; k++)
-        find_layouts(&s->layout[k], &s->reference_layout, s->image[k], s->reference);
-    struct block blocks[TILES * TILES] = {0};
-    size_t n = add_tiles(blocks, s);
-    size_t values = 0;
-    for (size_t i = 0; i < n; i++)
-        values += blocks[i].values;
-    if (values == 0)
+    struct estimate all = {0};
+    double n = 0.0;
+    for (size_t i = 0; i < pixel_count(s->reference); i++) {
+        if (!covered_by_all(s, i))
+            continue;
+        add_seeds(&all, without, s, i);
+        n += s->reference_layout.colours;
+    }
+    if (n == 0.0)
         return rl_fail(error, RL_ERR_INPUT, "nothing to compare: no pixel with alpha >= 1/2 in all images");
-    struct rl_interval bias2 = pool(blocks, n, BIAS2);
-    struct rl_interval variance = pool(blocks, n, VARIANCE);
+    for (size_t k = 0; k < s->n; k++)
+        values[k] = rl_sum_value(&without[k].bias2) / n;
+    double bias2_half = jackknife(values, s->n);
+    for (size_t k = 0; k < s->n; k++)
+        values[k] = rl_sum_value(&without[k].variance) / n;
+    double variance_half = jackknife(values, s->n);
+    double bias2 = rl_sum_value(&all.bias2) / n;
+    double variance = rl_sum_value(&all.variance) / n;
     *out = (struct rl_bias_variance){
-        .bias2 = bias2.value,
-        .bias2_low = bias2.low,
-        .bias2_high = bias2.high,
-        .variance = variance.value,
-        .variance_low = variance.low,
-        .variance_high = variance.high,
-        .mse = bias2.value +
-               variance.value, /* an identity: mean_k (v_k - r)^2 = (mean - r)^2 + (1 - 1/K) variance */
+        .bias2 = bias2,
+        .bias2_low = bias2 - bias2_half,
+        .bias2_high = bias2 + bias2_half,
+        .variance = variance,
+        .variance_low = variance - variance_half,
+        .variance_high = variance + variance_half,
+        .mse = bias2 + variance, /* an identity: mean_k (v_k - r)^2 = (mean - r)^2 + (1 - 1/K) variance */
     };
     return RL_OK;
 }
@@ -333,9 +317,17 @@ int rl_bias_variance_compute(struct rl_bias_variance *out, const struct rl_image
     if (status != RL_OK)
         return status;
     s.layout = calloc(n_images, sizeof *s.layout);
-    if (!s.layout)
-        return rl_fail_memory(error, "the images' layouts");
-    status = split(out, &s, error);
+    struct estimate *without = calloc(n_images, sizeof *without);
+    double *values = calloc(n_images, sizeof *values);
+    if (s.layout && without && values) {
+        for (size_t k = 0; k < n_images; k++)
+            find_layouts(&s.layout[k], &s.reference_layout, s.image[k], s.reference);
+        status = split(out, &s, without, values, error);
+    } else {
+        status = rl_fail_memory(error, "the split of the error");
+    }
+    free(values);
+    free(without);
     free(s.layout);
     return status;
 }

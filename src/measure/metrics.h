@@ -34,8 +34,8 @@ int rl_metrics_compute(struct rl_metrics *metrics, const struct rl_image *image,
  * images v_k of independent seeds against one reference: variance = mean over pixels of the unbiased sample
  * variance across k; bias^2 = mean over pixels of (mean_k v - r)^2 minus variance/K (unbiased, may come out
  * slightly negative); mse = bias^2 + variance, which is the mean over seeds of each one's own. The first two
- * have a 95 % interval from the spread over square blocks of pixels (16 along the longer side), which takes
- * pixels of a block to depend on each other and blocks not to; with one block it is infinite.
+ * have a 95 % interval by the jackknife over seeds: it says how far other seeds would move the figure for this
+ * picture, however uneven the picture is and however its pixels depend on each other. Two seeds give infinite ones.
  *
  * The foreground is where the reference and all the images are covered. RL_ERR_INPUT: fewer than 2 images,
  * sizes or channels that differ, no foreground. RL_ERR_CHECK: values that are not finite. */

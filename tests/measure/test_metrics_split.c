@@ -1,4 +1,5 @@
 /* Mean squared error of repeated seeds, split into bias and variance: by hand, and whether its intervals hold. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -39,11 +40,12 @@ static void test_by_hand(void **state)
     check_near(s.bias2, 5.0 / 6.0, 1e-15);
     /* left: (0 + 1 + 4)/3, right: 1 */
     check_near(s.mse, 4.0 / 3.0, 1e-15);
-    /* Two blocks of one pixel: half the difference is the standard error; t with 1 degree of freedom. */
-    check_near(s.variance_high - s.variance, 12.70620473617470 * 0.5, 1e-10);
-    check_near(s.variance - s.variance_low, 12.70620473617470 * 0.5, 1e-10);
-    check_near(s.bias2_high - s.bias2, 12.70620473617470 / 6.0, 1e-10);
-    check_near(s.bias2 - s.bias2_low, 12.70620473617470 / 6.0, 1e-10);
+    /* Without seed 1, 2, 3: variance 1/4, 1, 1/4, bias^2 3/2, 1/2, 1/2; jackknife errors 1/2 and 2/3; t with 2 degrees of
+     * freedom. */
+    check_near(s.variance_high - s.variance, 4.302652729696142 / 2.0, 1e-10);
+    check_near(s.variance - s.variance_low, 4.302652729696142 / 2.0, 1e-10);
+    check_near(s.bias2_high - s.bias2, 4.302652729696142 * 2.0 / 3.0, 1e-10);
+    check_near(s.bias2 - s.bias2_low, 4.302652729696142 * 2.0 / 3.0, 1e-10);
     for (int k = 0; k < 3; k++)
         rl_image_clear(&image[k]);
     rl_image_clear(&reference);
@@ -81,46 +83,67 @@ static void test_agrees_with_metrics(void **state)
     rl_image_clear(&reference);
 }
 
-/* Bias 0.2 and noise of variance 0.25, over and over: both intervals should hold about 95 times in 100. The
- * bounds are four standard deviations of 400 trials. */
-static void test_intervals_hold(void **state)
+/* Uneven pictures, as highlights are: bias and noise in one corner only, or everywhere. Over and over, the intervals should
+ * hold about 95 times in 100 (the jackknife errs towards more), and be about as wide as the figures really scatter: one
+ * that measured how uneven the picture is would always hold and tell nothing. */
+static void repeat(int side, int lit, uint64_t seed)
 {
-    (void)state;
-    enum { TRIALS = 400, K = 4, SIDE = 40 };
-    const uint64_t seed = 20260102;
-    printf("seed %llu\n", (unsigned long long)seed);
+    enum { TRIALS = 400, K = 4, LARGEST = 40 };
+    static const double t3 = 3.182446305284263; /* Student's, 3 degrees of freedom */
     struct rl_image image[K] = {0};
     const struct rl_image *images[K];
     struct rl_image reference = {0};
+    assert_true(side <= LARGEST);
     for (int k = 0; k < K; k++) {
-        make(&image[k], SIDE, SIDE, 1, NULL);
+        make(&image[k], side, side, 1, NULL);
         images[k] = &image[k];
     }
-    make(&reference, SIDE, SIDE, 1, NULL);
-    int bias_holds = 0;
-    int variance_holds = 0;
-    double bias_sum = 0.0;
+    make(&reference, side, side, 1, NULL);
+    double share = (double)(lit * lit) / (side * side);
+    double truth[2] = {0.04 * share, 0.25 * share};
+    double holds[2] = {0.0}, half[2] = {0.0}, sum[2] = {0.0}, squares[2] = {0.0};
     uint64_t next = 0;
-    for (int t = 0; t < TRIALS; t++) {
+    for (int trial = 0; trial < TRIALS; trial++) {
         for (int k = 0; k < K; k++)
-            for (int i = 0; i < SIDE * SIDE; i++)
-                image[k].data[i] = (float)(0.2 + 0.5 * noise(seed, next++));
+            for (int y = 0; y < lit; y++)
+                for (int x = 0; x < lit; x++)
+                    rl_image_pixel(&image[k], x, y)[0] = (float)(0.2 + 0.5 * noise(seed, next++));
         struct rl_bias_variance s;
         check_ok(rl_bias_variance_compute(&s, images, K, &reference, &error), &error);
-        bias_holds += s.bias2_low <= 0.04 && 0.04 <= s.bias2_high;
-        variance_holds += s.variance_low <= 0.25 && 0.25 <= s.variance_high;
-        bias_sum += s.bias2;
+        const double value[2] = {s.bias2, s.variance};
+        const double low[2] = {s.bias2_low, s.variance_low};
+        const double high[2] = {s.bias2_high, s.variance_high};
+        for (int q = 0; q < 2; q++) {
+            holds[q] += low[q] <= truth[q] && truth[q] <= high[q];
+            half[q] += 0.5 * (high[q] - low[q]) / TRIALS;
+            sum[q] += value[q] / TRIALS;
+            squares[q] += value[q] * value[q] / TRIALS;
+        }
     }
-    check_near(bias_holds / (double)TRIALS, 0.95, 4.0 * 0.011);
-    check_near(variance_holds / (double)TRIALS, 0.95, 4.0 * 0.011);
-    /* Unbiased: without the correction by variance/K it would be 0.1025. */
-    check_near(bias_sum / TRIALS, 0.04, 0.002);
+    for (int q = 0; q < 2; q++) {
+        double scatter = sqrt(squares[q] - sum[q] * sum[q]);
+        printf("%s: holds %.3f, half width / (t scatter) %.2f\n", q ? "variance" : "bias^2",
+               holds[q] / TRIALS, half[q] / (t3 * scatter));
+        assert_true(holds[q] / TRIALS > 0.95 - 4.0 * 0.011);
+        assert_true(half[q] > 0.8 * t3 * scatter && half[q] < 2.0 * t3 * scatter);
+        /* Unbiased: without the correction by variance/K, bias^2 would be 2.6 times as large. */
+        check_near(sum[q], truth[q], 4.0 * scatter / sqrt(TRIALS));
+    }
     for (int k = 0; k < K; k++)
         rl_image_clear(&image[k]);
     rl_image_clear(&reference);
 }
 
-static void test_one_block_tells_nothing(void **state)
+static void test_intervals_hold(void **state)
+{
+    (void)state;
+    const uint64_t seed = 20260102;
+    printf("seed %llu\n", (unsigned long long)seed);
+    repeat(40, 40, seed);
+    repeat(40, 9, seed + 1);
+}
+
+static void test_two_seeds_tell_nothing(void **state)
 {
     (void)state;
     struct rl_image a = {0};
@@ -169,7 +192,7 @@ int main(void)
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_agrees_with_metrics),
         cmocka_unit_test(test_intervals_hold),
-        cmocka_unit_test(test_one_block_tells_nothing),
+        cmocka_unit_test(test_two_seeds_tell_nothing),
         cmocka_unit_test(test_what_cannot_be_split),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
