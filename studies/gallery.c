@@ -78,7 +78,7 @@ static int render(struct row *row, int m, struct rl_bench *bench, struct rl_erro
         status = rl_gpu_scene_read(set->gpu_scene, &row->image[m], error);
     if (status == RL_OK)
         status = rl_stamp_image(&row->image[m], row->gallery->scene, &set->plan, bench->provenance.renderer,
-                                seconds, error);
+                                bench->provenance.threads, seconds, error);
     rl_bench_scene_free(set);
     if (status == RL_OK)
         status = write_both(&row->image[m], row, methods[m].file, &row->clipped[m], error);

@@ -33,11 +33,16 @@ static int compute(struct rl_image *image, struct rl_bench *bench, const struct 
         return status;
     struct rl_render_stats stats = {0};
     status = rl_reference_render(image, &stats, scene, &plan, bench->threads, &bench->quiet, error);
+    /* What is not true must not be taken for truth. */
+    if (status == RL_OK && stats.unconverged > 0)
+        status = rl_fail(error, RL_ERR_CHECK,
+                         "the reference: %zu pixels stayed above the tolerance %g, largest error %g",
+                         stats.unconverged, settings->tolerance, stats.worst_error);
     char library[64], renderer[96];
     rl_reference_library(library);
     snprintf(renderer, sizeof renderer, "CPU, %s", library);
     if (status == RL_OK)
-        status = rl_stamp_image(image, scene, &plan, renderer, stats.seconds, error);
+        status = rl_stamp_image(image, scene, &plan, renderer, stats.threads, stats.seconds, error);
     if (status == RL_OK)
         status = rl_image_set_number(image, "roughlight:worst_error", stats.worst_error, error);
     rl_plan_clear(&plan);

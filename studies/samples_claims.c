@@ -217,6 +217,8 @@ static int claim_bias_share(const struct view *v, const double *rr, size_t n)
             continue;
         const struct rl_metric *b = find(v, "random", N[n_samples - 1], rr[i], "bias2");
         const struct rl_metric *s = find(v, "random", N[n_samples - 1], rr[i], "variance");
+        if (!b || !s)
+            continue;
         append(c->note, sizeof c->note, rr[i], b->value / (b->value + s->value));
         if (rr[i] != nearest_rr(rr, n))
             continue;

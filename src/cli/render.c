@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/files.h"
+#include "base/machine.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/output.h"
@@ -22,11 +23,12 @@ static const struct rl_option options_render[] = {
 struct drawing {
     struct rl_image image;
     char renderer[160];
+    int threads;
     double seconds;
 };
 
 static int draw_on_gpu(struct drawing *d, const struct rl_scene *scene, const struct rl_plan *plan,
-                       const char *backend, struct rl_error *error)
+                       const char *backend, int threads, struct rl_error *error)
 {
     struct rl_gpu *gpu = NULL;
     struct rl_gpu_scene *gs = NULL;
@@ -46,6 +48,7 @@ static int draw_on_gpu(struct drawing *d, const struct rl_scene *scene, const st
         status = rl_gpu_scene_read(gs, &d->image, error);
     if (status == RL_OK) {
         const struct rl_gpu_info *info = rl_gpu_describe(gpu);
+        d->threads = threads > 0 ? threads : rl_machine_threads();
         snprintf(d->renderer, sizeof d->renderer, "%s on %s", info->renderer, info->backend);
         fprintf(stderr, "render: %.2f ms a frame, %s\n", 1e3 * d->seconds, d->renderer);
     }
@@ -68,6 +71,7 @@ static int draw_on_cpu(struct drawing *d, const struct rl_scene *scene, const st
     rl_reference_library(embree);
     snprintf(d->renderer, sizeof d->renderer, "CPU, Embree %s", embree);
     d->seconds = stats.seconds;
+    d->threads = stats.threads;
     fprintf(stderr, "render: %.2f s, %zu foreground pixels, %zu lines, largest error estimate %.2g\n",
             stats.seconds, stats.foreground, stats.evaluations, stats.worst_error);
     if (stats.unconverged > 0)
@@ -79,7 +83,7 @@ static int write_image(struct drawing *d, const struct rl_scene *scene, const st
                        const char *path, struct rl_error *error)
 {
     struct rl_write_report report = {0};
-    int status = rl_stamp_image(&d->image, scene, plan, d->renderer, d->seconds, error);
+    int status = rl_stamp_image(&d->image, scene, plan, d->renderer, d->threads, d->seconds, error);
     if (status == RL_OK)
         status = rl_image_write(&d->image, path, &report, error);
     if (status == RL_OK && report.clipped > 0)
@@ -122,7 +126,7 @@ static int render(const struct rl_scene *scene, const struct rl_arguments *a, st
     if (status == RL_OK && plan.on_cpu)
         status = draw_on_cpu(&drawing, scene, &plan, threads, error);
     else if (status == RL_OK)
-        status = draw_on_gpu(&drawing, scene, &plan, rl_argument_backend(a), error);
+        status = draw_on_gpu(&drawing, scene, &plan, rl_argument_backend(a), threads, error);
     if (status == RL_OK)
         status = write_image(&drawing, scene, &plan, path, error);
     rl_image_clear(&drawing.image);

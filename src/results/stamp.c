@@ -43,7 +43,7 @@ static void materials(struct stamp *stamp, const struct rl_scene *scene, const s
         if (used < sizeof line && m->method && m->method->sampled)
             used += (size_t)snprintf(line + used, sizeof line - used, " %d", m->samples);
         if (used < sizeof line)
-            used += (size_t)snprintf(line + used, sizeof line - used, ", R_r %g", m->rr);
+            used += (size_t)snprintf(line + used, sizeof line - used, ", R_r %.17g", m->rr);
     }
     text(stamp, "materials", line);
 }
@@ -69,13 +69,14 @@ static void parameters(struct stamp *stamp, const struct rl_settings *s)
 }
 
 int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan,
-                   const char *renderer, double seconds, struct rl_error *error)
+                   const char *renderer, int threads, double seconds, struct rl_error *error)
 {
     struct stamp stamp = {image, error, RL_OK};
     char line[256];
     text(&stamp, "version", rl_version.version);
     snprintf(line, sizeof line, "%s%s", rl_version.commit, rl_version.dirty ? " (modified)" : "");
     text(&stamp, "commit", line);
+    text(&stamp, "compiler", rl_version.compiler);
     const char *slash = strrchr(scene->path, '/');
     text(&stamp, "scene",
          slash ? slash + 1 : scene->path); /* without its folder, which says nothing elsewhere */
@@ -86,7 +87,7 @@ int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const s
     text(&stamp, "renderer", renderer);
     rl_machine_cpu(line, sizeof line);
     text(&stamp, "cpu", line);
-    number(&stamp, "threads", rl_machine_threads());
+    number(&stamp, "threads", threads);
     number(&stamp, "seconds", seconds);
     time_t now = time(NULL);
     struct tm utc;

@@ -9,8 +9,9 @@
 #include "scene/plan.h"
 #include "scene/scene.h"
 
-/* `renderer`: what drew it, e.g. the GL renderer's name or "CPU, Embree 3.13.5"; `seconds`: how long it took. */
+/* `renderer`: what drew it, e.g. the GL renderer's name or "CPU, Embree 3.13.5"; `threads`: it used;
+ * `seconds`: it took. */
 int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan,
-                   const char *renderer, double seconds, struct rl_error *error);
+                   const char *renderer, int threads, double seconds, struct rl_error *error);
 
 #endif

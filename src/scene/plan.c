@@ -38,10 +38,16 @@ static int add_program(struct rl_plan *plan, const struct rl_plan_program *progr
     return (int)plan->n_programs++;
 }
 
+/* A highlight that needs no more than point lights is drawn together with the surface. */
+static bool has_own_pass(const struct rl_method *method)
+{
+    return method->sampled || method->needs_environment || method->needs_normal_map || method->needs_pattern;
+}
+
 static int surface_program(struct rl_plan *plan, const struct rl_plan_material *m)
 {
     struct rl_plan_program program = {.pass = "surface"};
-    bool fused = m->method && !m->method->sampled;
+    bool fused = m->method && !has_own_pass(m->method);
     add_module(&program, "passes", "object_vertex");
     add_module(&program, "common", "surface");
     if (m->n_point_lights > 0)
@@ -70,7 +76,10 @@ static int highlight_program(struct rl_plan *plan, const struct rl_plan_material
     add_module(&program, "common", "surface");
     add_module(&program, "common", plan->settings.frame == RL_FRAME_PRINTED ? "frame_printed" : "frame");
     add_module(&program, "common", plan->settings.attenuation ? "attenuation" : "attenuation_off");
-    add_module(&program, "common", "environment");
+    if (m->method->needs_point_lights)
+        add_module(&program, "common", "lights");
+    if (m->method->needs_environment)
+        add_module(&program, "common", "environment");
     if (m->method->needs_normal_map)
         add_module(&program, "common", "normal_map");
     if (m->method->needs_pattern)
@@ -183,7 +192,7 @@ static void plan_material(struct rl_plan_material *m, const struct rl_scene *sce
 static void plan_passes(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m)
 {
     m->surface_program = surface_program(plan, m);
-    if (!m->method || !m->method->sampled)
+    if (!m->method || !has_own_pass(m->method))
         return;
     plan_sphere(plan, scene, m);
     if (m->method->needs_normal_map)

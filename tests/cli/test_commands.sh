@@ -63,6 +63,11 @@ check "equal images compare as equal" sh -c "'$rl' compare '$tmp/a.exr' '$tmp/b.
 check "random 4 against the reference is finite" sh -c "'$rl' compare '$tmp/a.exr' '$tmp/r.exr' |
     awk -F'\t' 'NR == 2 { ok = \$1 > 0 && \$1 < 1 && \$7 == 0 && \$8 > 100 } END { exit !ok }'"
 check "a limit that is kept" exits 0 "$rl" compare "$tmp/a.exr" "$tmp/r.exr" --max-rmse 1
+# 0.9 and 1.1 times the RMSE, which is not the MAE
+rmse=$("$rl" compare "$tmp/a.exr" "$tmp/r.exr" | tail -1 | cut -f1)
+scaled() { awk -v x="$rmse" -v f="$1" 'BEGIN { printf "%.9g", x * f }'; }
+check "a limit just above the RMSE" exits 0 "$rl" compare "$tmp/a.exr" "$tmp/r.exr" --max-rmse "$(scaled 1.1)"
+check "a limit just below the RMSE" exits 1 "$rl" compare "$tmp/a.exr" "$tmp/r.exr" --max-rmse "$(scaled 0.9)"
 check "a limit that is not" exits 1 "$rl" compare "$tmp/a.exr" "$tmp/r.exr" --max-rmse 1e-9
 
 # Start-up: what takes long to load is loaded when first used only.

@@ -57,6 +57,7 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
     expect_number(image, "roughlight:margin", 0.25);
     expect_number(image, "roughlight:tolerance", 0x1p-20);
     expect_number(image, "roughlight:seconds", 0.5);
+    expect_number(image, "roughlight:threads", 3.0);
     const struct rl_attribute *materials = rl_image_attribute(image, "roughlight:materials");
     assert_non_null(materials);
     assert_non_null(strstr(materials->string, "regular 21, R_r 7"));
@@ -91,7 +92,7 @@ static void test_stamp(void **state)
     s.tolerance = 0x1p-20; /* a number that an EXR's 32-bit float holds exactly */
     check_ok(rl_plan_make(&plan, &scene, &s, &error), &error);
     check_ok(rl_image_allocate(&image, 2, 2, 4, &error), &error);
-    check_ok(rl_stamp_image(&image, &scene, &plan, "a test", 0.5, &error), &error);
+    check_ok(rl_stamp_image(&image, &scene, &plan, "a test", 3, 0.5, &error), &error);
     expect_stamp(&image, &scene);
 
     temporary_make(&folder);
