@@ -19,9 +19,9 @@ static const struct arm {
     double paper_fps;
 } arms[] = {
     {"none", "none", 0, 0.0},
-    {"plain", "plain", 0, 530.0},
-    {"regular-13", "regular", 13, 28.0},
-    {"random-4", "random", 4, 38.0},
+    {"plain", "plain", 0, RL_PAPER_PLAIN_FPS},
+    {"regular-13", "regular", 13, RL_PAPER_REGULAR_FPS},
+    {"random-4", "random", 4, RL_PAPER_RANDOM_FPS},
     {"random-4-again", "random", 4, 0.0},
     {"environment", "random", 4, 0.0},
 };

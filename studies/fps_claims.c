@@ -5,7 +5,6 @@
 #include "measure/statistics.h"
 #include "studies/fps.h"
 
-static const double paper_plain_fps = 530.0, paper_regular_fps = 28.0, paper_random_fps = 38.0;
 static const double film_fps = 24.0, video_fps = 30.0;
 
 /* One scene's arms. */
@@ -63,7 +62,7 @@ static int claim_random_faster(const struct view *v)
     rl_claim_value(c, times.value, times.low, times.high, "times");
     snprintf(c->note, sizeof c->note,
              "paired by round; noise floor of the A/A arms %.2g; the paper's ratio %.3g", v->noise_floor,
-             paper_random_fps / paper_regular_fps);
+             RL_PAPER_RANDOM_FPS / RL_PAPER_REGULAR_FPS);
     c->verdict = faster(v, times);
     return RL_OK;
 }
@@ -75,7 +74,7 @@ static int claim_plain(const struct view *v)
            "plain against random 4 (to within a quarter)");
     if (!c)
         return RL_ERR_SYSTEM;
-    double expected = paper_plain_fps / paper_random_fps;
+    double expected = RL_PAPER_PLAIN_FPS / RL_PAPER_RANDOM_FPS;
     struct rl_interval times = ratio(v, "random-4", "plain");
     rl_claim_value(c, times.value, times.low, times.high, "times");
     snprintf(c->note, sizeof c->note, "paired by round; %.100s against the paper's GeForce FX 5200",
@@ -139,12 +138,12 @@ int rl_fps_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_e
             status = claim_rate(&v, "random-4",
                                 "paper: highlights of shaped lights nearly in real time: random 4 reaches 24 "
                                 "frames/s on this renderer",
-                                paper_random_fps);
+                                RL_PAPER_RANDOM_FPS);
         if (status == RL_OK)
             status = claim_rate(&v, "regular-13",
                                 "paper: highlights of shaped lights nearly in real time: regular 13 reaches "
                                 "24 frames/s on this renderer",
-                                paper_regular_fps);
+                                RL_PAPER_REGULAR_FPS);
         if (status == RL_OK)
             status = claim_noise_floor(&v, same);
         if (status == RL_OK)

@@ -175,12 +175,36 @@ static void test_colours(void **state)
     assert_true(r.value[1] == 0.0);
 }
 
+/* The tolerance is relative to the brightest light: 1024 times the radiance is the same work, and 1024 times value and error. */
+static void test_tolerance_is_relative(void **state)
+{
+    (void)state;
+    const struct shape quad = {4, {{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}}};
+    const struct rl_surface s = {v3(0, 0, 0), v3(0, 0, 1), v3_normalize(v3(0.9, 0.2, 0.5))};
+    struct rl_polygon polygon = {.n = 4, .vertex = (rl_vec3 *)quad.vertex};
+    struct rl_estimate r[2];
+    for (int k = 0; k < 2; k++) {
+        double radiance = k ? 1024.0 : 1.0;
+        struct rl_light light = {
+            .n_polygons = 1, .polygon = &polygon, .radiance = {radiance, radiance, radiance}};
+        struct rl_light_set *set;
+        struct rl_error error;
+        check_ok(rl_light_set_make(&set, &light, 1, &error), &error);
+        r[k] = integrate(&s, 30.0, set, true, 1e-9);
+        rl_light_set_free(set);
+        assert_true(r[k].converged);
+    }
+    assert_int_equal(r[0].evaluations, r[1].evaluations);
+    check_relative(r[1].value[0], 1024.0 * r[0].value[0], 1e-14);
+    check_relative(r[1].error[0], 1024.0 * r[0].error[0], 1e-9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_table),      cmocka_unit_test(test_random_lights),
         cmocka_unit_test(test_definition), cmocka_unit_test(test_stated_errors_hold),
-        cmocka_unit_test(test_colours),
+        cmocka_unit_test(test_colours),    cmocka_unit_test(test_tolerance_is_relative),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

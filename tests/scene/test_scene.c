@@ -6,40 +6,8 @@
 
 #include <cmocka.h>
 
-#include "scene/fixture.h"
+#include "scene/scene_file.h"
 #include "scene/teapot.h"
-
-static struct temporary folder;
-static struct rl_error error;
-static char path[PATH_MAX];
-
-static int set_up(void **state)
-{
-    (void)state;
-    temporary_make(&folder);
-    temporary_path(&folder, path, "scene.yaml");
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    temporary_remove(&folder);
-    return 0;
-}
-
-static void load_with(struct rl_scene *scene, int first, int last, const char *text)
-{
-    write_scene(path, first, last, text);
-    check_ok(rl_scene_load(scene, path, &error), &error);
-}
-
-static void check_vec3(rl_vec3 actual, double x, double y, double z, double tolerance)
-{
-    check_near(actual.x, x, tolerance);
-    check_near(actual.y, y, tolerance);
-    check_near(actual.z, z, tolerance);
-}
 
 static void test_as_written(void **state)
 {

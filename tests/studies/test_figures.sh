@@ -26,6 +26,9 @@ check "frames a second are the inverse of the frame time, the interval's ends ex
     { seen = 1
       if (!near(c["fps"] * c["frame_ms"], 1000, 1e-6)) bad("fps " c["fps"])
       if (!near(c["fps_low"] * c["frame_ms_high"], 1000, 1e-6) || !near(c["fps_high"] * c["frame_ms_low"], 1000, 1e-6)) bad("interval") }'
+check "the paper's Table 1 stands beside it" "$tmp/fps.tsv" '
+    BEGIN { paper["plain"] = 530; paper["regular-13"] = 28; paper["random-4"] = 38 }
+    c["arm"] in paper { seen = 1; if (c["paper_fps"] != paper[c["arm"]]) bad(c["arm"] " " c["paper_fps"]) }'
 check "every interval holds its value" "$tmp/samples.tsv" '
     { seen = 1
       for (k in c) { base = k; if (sub(/_low$/, "", base) && c[base] != "" && c[k] != "")
