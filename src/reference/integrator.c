@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "reference/breaks.h"
+#include "reference/integrators.h"
 #include "reference/quadrature.h"
 
 /* Enough for the lights of nearly every scene; more is allocated. */
@@ -101,3 +102,20 @@ void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *s
         integrate_theta(estimate, &lines, memory + lines_size, options);
     free(owned);
 }
+
+static int integrate(struct rl_estimate *estimate, const struct rl_surface *surface,
+                     const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                     const struct rl_integrate_options *options, struct rl_error *error)
+{
+    (void)error;
+    rl_integrate_lines(estimate, surface, e, set, options);
+    return RL_OK;
+}
+
+const struct rl_integrator rl_integrator_reference = {
+    .name = "reference",
+    .summary = "along lines, split where the integrand breaks",
+    .evaluation = "lines",
+    .error = "bounds the true error",
+    .integrate = integrate,
+};

@@ -14,6 +14,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/error.h"
 #include "effects/effect.h"
@@ -34,12 +35,16 @@ struct rl_integrate_options {
     bool attenuation;
     enum rl_frame_kind frame; /* RL_FRAME_PRINTED: H as the paper's frame gives it, normalised */
     double tolerance;         /* absolute error wanted, in units of the brightest radiance of the set */
-    size_t max_evaluations;   /* lines; 0: 100000. Past it the best value so far and its error are returned */
+    size_t
+        max_evaluations; /* 0: the integrator's own. Past it the best value so far and its error are returned */
+    uint64_t seed;       /* of those that draw random numbers */
+    double confidence;   /* of those: the error is the half width of the interval of this level; 0: 0.99 */
+    int env_size;        /* of `exhaustive`: texels along a face's edge; 0: 512 */
 };
 
 struct rl_estimate {
     double value[3], error[3]; /* RGB; |value - truth| <= error is meant to hold */
-    size_t evaluations;        /* lines drawn */
+    size_t evaluations;        /* lines drawn; of the witnesses what their rows say (integrators.h) */
     bool converged;            /* error within tolerance */
 };
 

@@ -1,0 +1,20 @@
+/* The table of integrators: one row each. */
+#include "reference/integrators.h"
+
+#include <string.h>
+
+extern const struct rl_integrator rl_integrator_reference;
+
+const struct rl_integrator *const rl_integrators[] = {
+    &rl_integrator_reference,
+};
+
+const size_t rl_n_integrators = sizeof rl_integrators / sizeof rl_integrators[0];
+
+const struct rl_integrator *rl_integrator_find(const char *name)
+{
+    for (size_t i = 0; name && i < rl_n_integrators; i++)
+        if (strcmp(rl_integrators[i]->name, name) == 0)
+            return rl_integrators[i];
+    return NULL;
+}
