@@ -73,6 +73,12 @@ SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -
 SHIM_SANITIZER := $(if $(SANITIZE),-fno-sanitize=vptr$(if $(findstring clang,$(CXX)),$(comma)function))
 COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
 CFLAGS ?= -O2 -g
+# Inner loops are compiled once per instruction set and chosen when the program runs (src/base/simd.h): NAME_avx2.c and
+# NAME_avx512.c get these flags. Elsewhere than on x86-64 they are plain C, and nothing calls them.
+ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
+AVX2_FLAGS := -mavx2 -mfma
+AVX512_FLAGS := -mavx512f -mavx512dq -mavx512bw -mavx512vl -mfma -mprefer-vector-width=512
+endif
 CXXFLAGS ?= $(CFLAGS)
 # Recursive: LIB_CFLAGS and the like come from packages.mk, below.
 C_FLAGS = -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CPPFLAGS) \
@@ -126,7 +132,7 @@ $(GEN)/packages.mk: FORCE
 # Everything compiled depends on this file: other flags or another compiler (or version of it) rebuild it.
 $(GEN)/flags: FORCE
 	$(call write_if_changed,$(shell $(CC) --version | head -n 1) $(CC) $(C_FLAGS) $(C_LINK) $(LIBS) \
-		$(CXX) $(CXX_FLAGS) $(LDFLAGS) $(SHIM_LIBS) $(TEST_CFLAGS) $(TEST_LIBS))
+		$(AVX2_FLAGS) $(AVX512_FLAGS) $(CXX) $(CXX_FLAGS) $(LDFLAGS) $(SHIM_LIBS) $(TEST_CFLAGS) $(TEST_LIBS))
 
 # The archive depends on this one: a source that was removed leaves nothing newer than the archive.
 $(GEN)/objects: FORCE
@@ -156,7 +162,10 @@ all: $(LIBRARY) $(PROGRAM) $(SHIM)
 $(BUILD)/obj/%.o: %.c $(GEN)/flags | $(GEN)/version.h
 	@mkdir -p $(@D)
 	$(if $(V),,@echo "  CC      $<")
-	$(Q)$(CC) $(C_FLAGS) $(TEST_FLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(SIMD_FLAGS) $(TEST_FLAGS) -MMD -MP -c $< -o $@
+
+$(BUILD)/obj/src/%_avx2.o: SIMD_FLAGS = $(AVX2_FLAGS)
+$(BUILD)/obj/src/%_avx512.o: SIMD_FLAGS = $(AVX512_FLAGS)
 
 $(BUILD)/obj/%.o: %.cpp $(GEN)/flags
 	@mkdir -p $(@D)

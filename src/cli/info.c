@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/machine.h"
+#include "base/simd.h"
 #include "base/version.h"
 #include "cli/command.h"
 #include "cli/output.h"
@@ -52,6 +53,7 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
     row(&rows, "cpu", text);
     snprintf(text, sizeof text, "%d", rl_machine_threads());
     row(&rows, "threads", text);
+    row(&rows, "simd", rl_simd_name(rl_simd_best()));
     rl_machine_system(text, sizeof text);
     row(&rows, "system", text);
     rl_reference_library(text);

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/simd.h"
 #include "base/version.h"
 #include "cli/command.h"
 #include "cli/output.h"
@@ -31,6 +32,7 @@ static void print_help(void)
            "cases failed,\n"
            "130 interrupted.\n"
            "ROUGHLIGHT_BACKEND and ROUGHLIGHT_THREADS set the defaults of --backend and --threads;\n"
+           "ROUGHLIGHT_SIMD=plain|avx2|avx512 lowers the instruction set of the CPU's inner loops;\n"
            "ROUGHLIGHT_DATA names the folder that holds shaders/ and plots/ where they are not found by "
            "themselves.\n");
 }
@@ -48,7 +50,8 @@ static int run(const struct rl_command *command, int argc, char **argv)
     struct rl_error error = {0};
     struct rl_arguments arguments;
     int code;
-    if (rl_arguments_parse(&arguments, command, argc, argv, &error) != RL_OK)
+    if (rl_simd_check(&error) != RL_OK ||
+        rl_arguments_parse(&arguments, command, argc, argv, &error) != RL_OK)
         code = RL_EXIT_USAGE;
     else
         code = command->run(&arguments, &error);

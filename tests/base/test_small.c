@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -11,7 +12,9 @@
 #include "base/hash.h"
 #include "base/machine.h"
 #include "base/progress.h"
+#include "base/simd.h"
 #include "base/version.h"
+#include "support/check.h"
 
 /* Test vectors of the FNV reference code (Noll's test_fnv.c, FNV-1a 64 bit). */
 static void test_hash(void **state)
@@ -102,6 +105,32 @@ static void test_machine(void **state)
     assert_in_range(rl_machine_threads(), 1, 65536);
 }
 
+/* The variable lowers the choice and never raises it; what it may not say is refused in one line. */
+static void test_simd(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    unsetenv("ROUGHLIGHT_SIMD");
+    enum rl_simd best = rl_simd_best();
+    print_message("simd %s\n", rl_simd_name(best));
+    for (int i = 0; i < RL_SIMD_COUNT; i++) {
+        setenv("ROUGHLIGHT_SIMD", rl_simd_name((enum rl_simd)i), 1);
+        if (i <= (int)best) {
+            check_ok(rl_simd_check(&error), &error);
+            assert_int_equal(rl_simd_best(), i);
+        } else {
+            check_fails(rl_simd_check(&error), &error, RL_ERR_INPUT, "which is what this machine has");
+            assert_int_equal(rl_simd_best(), best);
+        }
+    }
+    setenv("ROUGHLIGHT_SIMD", "AVX2", 1);
+    check_fails(rl_simd_check(&error), &error, RL_ERR_INPUT, "found 'AVX2', expected plain, avx2 or avx512");
+    assert_int_equal(rl_simd_best(), best);
+    setenv("ROUGHLIGHT_SIMD", "", 1);
+    check_ok(rl_simd_check(&error), &error);
+    unsetenv("ROUGHLIGHT_SIMD");
+}
+
 static void test_version(void **state)
 {
     (void)state;
@@ -118,6 +147,7 @@ int main(void)
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_clock_runs_forward),
         cmocka_unit_test(test_machine),
+        cmocka_unit_test(test_simd),
         cmocka_unit_test(test_version),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

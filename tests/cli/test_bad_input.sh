@@ -136,6 +136,13 @@ bad "integrate: rr" "--rr: found 'nan'" integrate --view 0,0,1 --rr nan --light 
 bad "integrate without a view" "--view is missing" integrate --rr 3 --light "$light"
 bad "integrate: method" "--method: found 'guess'" integrate --view 0,0,1 --rr 3 --light "$light" --method guess
 
+# The instruction set
+for simd in SSE AVX512 best; do
+    export ROUGHLIGHT_SIMD=$simd
+    bad "ROUGHLIGHT_SIMD=$simd" "ROUGHLIGHT_SIMD: found '$simd', expected plain, avx2 or avx512" info
+done
+unset ROUGHLIGHT_SIMD
+
 n=$((n + 1))
 left=$(find "$tmp" -name '*x.*' ! -name '*.yaml' | head -3)
 [ -z "$left" ] && echo "ok - no output file is left behind" || echo "not ok - left behind: $left"
