@@ -1,8 +1,7 @@
 /* Where the integral along lines breaks as theta runs over [0, pi) (see breaks.h). */
 #include "reference/breaks.h"
 
-/* The azimuth in [0, pi) of the undirected line along (x, y). */
-static double line_azimuth(double x, double y)
+double rl_line_azimuth(double x, double y)
 {
     double theta = atan2(y, x);
     if (theta < 0.0)
@@ -10,9 +9,11 @@ static double line_azimuth(double x, double y)
     return theta < RL_PI ? theta : 0.0;
 }
 
-/* Whether the circle of the line along (x, y), known to touch the edge's great circle, touches it between the edge's ends. */
-static bool touches(const struct rl_lines *lines, const struct rl_edge *edge, double x, double y)
+/* Whether the circle of the line at theta, known to touch the edge's great circle, touches it between the edge's ends. */
+static bool touches(const struct rl_lines *lines, const struct rl_edge *edge, double theta)
 {
+    double x, y;
+    sincos(theta, &y, &x);
     double from = -y * edge->from_x + x * edge->from_y, to = -y * edge->to_x + x * edge->to_y;
     double v_b = -y * lines->v_x + x * lines->v_y;
     /* Between the ends b.p has a maximum r or a minimum -r; it is -v_b that it must equal. */
@@ -20,11 +21,11 @@ static bool touches(const struct rl_lines *lines, const struct rl_edge *edge, do
 }
 
 /* d^2 = 0: c^2 (1 - m_y^2 - v_y^2) + 2 s c (m_x m_y + v_x v_y) + s^2 (1 - m_x^2 - v_x^2) = 0 for t = (c, s). */
-static size_t touch_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
+size_t rl_touch_breaks(struct rl_break breaks[2], const struct rl_lines *lines, rl_vec3 m)
 {
-    double a = 1.0 - edge->m.y * edge->m.y - lines->v_y * lines->v_y;
-    double half = edge->m.x * edge->m.y + lines->v_x * lines->v_y;
-    double b = 1.0 - edge->m.x * edge->m.x - lines->v_x * lines->v_x;
+    double a = 1.0 - m.y * m.y - lines->v_y * lines->v_y;
+    double half = m.x * m.y + lines->v_x * lines->v_y;
+    double b = 1.0 - m.x * m.x - lines->v_x * lines->v_x;
     double discriminant = half * half - a * b;
     if (!(discriminant >= 0.0))
         return 0;
@@ -32,8 +33,17 @@ static size_t touch_breaks(struct rl_break *breaks, const struct rl_lines *lines
     const double x[2] = {w, b}, y[2] = {a, w};
     size_t n = 0;
     for (int i = 0; i < 2; i++)
-        if ((x[i] != 0.0 || y[i] != 0.0) && touches(lines, edge, x[i], y[i]))
-            breaks[n++] = (struct rl_break){.theta = line_azimuth(x[i], y[i]), .touch = true};
+        if (x[i] != 0.0 || y[i] != 0.0)
+            breaks[n++] = (struct rl_break){.theta = rl_line_azimuth(x[i], y[i]), .kind = RL_BREAK_ROOT};
+    return n;
+}
+
+static size_t edge_touches(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
+{
+    size_t n = rl_touch_breaks(breaks, lines, edge->m);
+    for (size_t i = 0; i < n; i++)
+        if (touches(lines, edge, breaks[i].theta))
+            breaks[i].kind = RL_BREAK_TOUCH;
     return n;
 }
 
@@ -62,7 +72,10 @@ static rl_vec3 arc_point(const struct arc *arc, double c, double s)
 
 static struct rl_break break_at(const struct rl_lines *lines, rl_vec3 L)
 {
-    return (struct rl_break){.theta = line_azimuth(lines->v_x + L.x, lines->v_y + L.y)};
+    return (struct rl_break){
+        .theta = rl_line_azimuth(lines->v_x + L.x, lines->v_y + L.y),
+        .kind = RL_BREAK_KINK,
+    };
 }
 
 /* 4 V.H N.H (N.V or N.L) - 2 (V.H)^2 in terms of L: G = 1 where this is positive for the lesser of N.V and N.L. */
@@ -99,42 +112,90 @@ static bool masking_rules(const struct rl_lines *lines, rl_vec3 L)
     return L.z > lines->v_n;
 }
 
-/* Where shadowing reaches 1 on the arc: of degree two in L, so up to four places; found between samples, exact by bisection and
- * the secant. A pair between two samples is missed: there G only just dips, and the adaptive rule sees to it. */
+/* Along an arc L(alpha): how far shadowing is above 1, and its derivative. */
+struct shadowing {
+    const struct rl_lines *lines;
+    const struct arc *arc;
+};
+
+static double shadowing_at(const struct shadowing *f, struct rl_angle alpha)
+{
+    rl_vec3 L = arc_point(f->arc, alpha.c, alpha.s);
+    return margin(f->lines, L, L.z);
+}
+
+static double shadowing_slope(const struct shadowing *f, struct rl_angle alpha)
+{
+    const struct rl_lines *lines = f->lines;
+    rl_vec3 L = arc_point(f->arc, alpha.c, alpha.s), D = arc_point(f->arc, -alpha.s, alpha.c);
+    return 4.0 * D.z * (lines->v_n + 2.0 * L.z) -
+           2.0 * (lines->v_x * D.x + lines->v_y * D.y + lines->v_n * D.z);
+}
+
+/* The zero of g between a and b, where its signs differ: regula falsi in the Illinois form, an end that stays having its value
+ * halved. Steps are taken along the chord, which is the arc for all that matters once it is short. */
+static struct rl_angle zero_between(double (*g)(const struct shadowing *, struct rl_angle),
+                                    const struct shadowing *f, struct rl_angle a, struct rl_angle b)
+{
+    enum { STEPS = 60 };
+    double g_a = g(f, a), g_b = g(f, b);
+    for (int step = 0; step < STEPS && g_b != 0.0; step++) {
+        double share = g_b / (g_b - g_a), s = b.s + share * (a.s - b.s), c = b.c + share * (a.c - b.c);
+        double scale = 1.0 / sqrt(s * s + c * c);
+        struct rl_angle next = {s * scale, c * scale};
+        double g_next = g(f, next), moved = fabs(next.s - b.s) + fabs(next.c - b.c);
+        if ((g_next > 0.0) != (g_b > 0.0)) {
+            a = b;
+            g_a = g_b;
+        } else {
+            g_a *= 0.5;
+        }
+        b = next;
+        g_b = g_next;
+        if (moved < 1e-15)
+            break;
+    }
+    return b;
+}
+
+/* A place where shadowing reaches 1 counts where it is the lesser of the two. */
+static size_t shadowing_break(struct rl_break *breaks, const struct shadowing *f, struct rl_angle a,
+                              struct rl_angle b)
+{
+    struct rl_angle alpha = zero_between(shadowing_at, f, a, b);
+    rl_vec3 L = arc_point(f->arc, alpha.c, alpha.s);
+    if (!(L.z > 0.0 && L.z < f->lines->v_n))
+        return 0;
+    breaks[0] = break_at(f->lines, L);
+    return 1;
+}
+
+/* Where shadowing reaches 1 on the arc: a trigonometric polynomial of degree two in alpha, so up to four places. Between samples
+ * it has one zero where its sign changes, and two where it does not but an extremum reaches over. */
 static size_t shadowing_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct arc *arc)
 {
-    enum { SAMPLES = 8, MOST = 4, STEPS = 60 };
-    double whole = atan2(arc->end.s, arc->end.c), from = 0.0;
-    rl_vec3 L = arc->start;
-    double f_from = margin(lines, L, L.z);
+    enum { SAMPLES = 8, MOST = 4 };
+    const struct shadowing f = {lines, arc};
+    double step = atan2(arc->end.s, arc->end.c) / SAMPLES, sin_step, cos_step;
+    sincos(step, &sin_step, &cos_step);
+    struct rl_angle from = {0.0, 1.0};
+    double f_from = shadowing_at(&f, from), slope_from = shadowing_slope(&f, from);
     size_t n = 0;
     for (int i = 1; i <= SAMPLES && n < MOST; i++) {
-        double to = whole * i / SAMPLES;
-        L = arc_point(arc, cos(to), sin(to));
-        double f_to = margin(lines, L, L.z), next = to, f_next = f_to;
+        struct rl_angle to = {from.s * cos_step + from.c * sin_step, from.c * cos_step - from.s * sin_step};
+        double f_to = shadowing_at(&f, to), slope_to = shadowing_slope(&f, to);
         if ((f_from > 0.0) != (f_to > 0.0)) {
-            /* Regula falsi in the Illinois form: an end that stays has its value halved. */
-            double a = from, f_a = f_from, b = to, f_b = f_to;
-            for (int step = 0; step < STEPS && fabs(b - a) > 1e-15; step++) {
-                double x = b - f_b * (b - a) / (f_b - f_a);
-                L = arc_point(arc, cos(x), sin(x));
-                double f = margin(lines, L, L.z);
-                if ((f > 0.0) != (f_b > 0.0)) {
-                    a = b;
-                    f_a = f_b;
-                } else {
-                    f_a *= 0.5;
-                }
-                b = x;
-                f_b = f;
-                if (f == 0.0)
-                    break;
+            n += shadowing_break(breaks + n, &f, from, to);
+        } else if ((slope_from > 0.0) != (slope_to > 0.0) && (slope_to > 0.0) == (f_to > 0.0)) {
+            struct rl_angle extreme = zero_between(shadowing_slope, &f, from, to);
+            if ((shadowing_at(&f, extreme) > 0.0) != (f_to > 0.0)) {
+                n += shadowing_break(breaks + n, &f, from, extreme);
+                n += shadowing_break(breaks + n, &f, extreme, to);
             }
-            if (L.z > 0.0 && L.z < lines->v_n)
-                breaks[n++] = break_at(lines, L);
         }
-        from = next;
-        f_from = f_next;
+        from = to;
+        f_from = f_to;
+        slope_from = slope_to;
     }
     return n;
 }
@@ -146,10 +207,25 @@ static size_t zone_breaks(struct rl_break *breaks, const struct rl_lines *lines)
     if (!(v > lines->v_n))
         return 0;
     double azimuth = atan2(lines->v_y, lines->v_x), aside = acos(lines->v_n / v);
-    breaks[0].theta = line_azimuth(cos(azimuth + aside), sin(azimuth + aside));
-    breaks[1].theta = line_azimuth(cos(azimuth - aside), sin(azimuth - aside));
-    breaks[0].touch = breaks[1].touch = false;
+    breaks[0].theta = rl_line_azimuth(cos(azimuth + aside), sin(azimuth + aside));
+    breaks[1].theta = rl_line_azimuth(cos(azimuth - aside), sin(azimuth - aside));
+    breaks[0].kind = breaks[1].kind = RL_BREAK_KINK;
     return 2;
+}
+
+static bool always(const struct rl_lines *lines, rl_vec3 L)
+{
+    (void)lines, (void)L;
+    return true;
+}
+
+/* Without attenuation lights shine from below the horizon too, where a crossing may leave the line at one end, delta = pi/2, and come
+ * back at the other. Both are at N.L = -N.V. D is 0 there, so that the second derivative jumps. */
+static size_t end_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge,
+                         const struct rl_edge *next)
+{
+    struct arc arc = arc_of(edge, next);
+    return plane_breaks(breaks, lines, &arc, v3(0.0, 0.0, 1.0), -lines->v_n, always);
 }
 
 static size_t kink_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge,
@@ -163,9 +239,12 @@ static size_t kink_breaks(struct rl_break *breaks, const struct rl_lines *lines,
     return n + shadowing_breaks(breaks + n, lines, &arc);
 }
 
+/* Breaks that one edge may have: its start, two touches, four planes and up to five kinks of shadowing. */
+enum { MOST_AN_EDGE = 12 };
+
 size_t rl_breaks_most(const struct rl_light_set *set)
 {
-    return 2 + 11 * rl_lines_edges_most(set);
+    return 2 + MOST_AN_EDGE * rl_lines_edges_most(set) + rl_overlap_breaks_most(set);
 }
 
 size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
@@ -175,11 +254,14 @@ size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
         const struct rl_edge *edge = &lines->edge[lines->polygon[i].first];
         for (size_t j = 0; j < lines->polygon[i].n; j++) {
             if (edge[j].q_x != 0.0 || edge[j].q_y != 0.0)
-                breaks[n++] = (struct rl_break){.theta = line_azimuth(edge[j].q_x, edge[j].q_y)};
-            n += touch_breaks(breaks + n, lines, &edge[j]);
-            if (lines->attenuation)
-                n += kink_breaks(breaks + n, lines, &edge[j], &edge[j + 1 < lines->polygon[i].n ? j + 1 : 0]);
+                breaks[n++] = (struct rl_break){
+                    .theta = rl_line_azimuth(edge[j].q_x, edge[j].q_y),
+                    .kind = RL_BREAK_KINK,
+                };
+            n += edge_touches(breaks + n, lines, &edge[j]);
+            const struct rl_edge *next = &edge[j + 1 < lines->polygon[i].n ? j + 1 : 0];
+            n += (lines->attenuation ? kink_breaks : end_breaks)(breaks + n, lines, &edge[j], next);
         }
     }
-    return n;
+    return n + rl_overlap_breaks(breaks + n, lines);
 }

@@ -19,7 +19,7 @@
 #include <math.h>
 
 #include "model/vec3.h"
-#include "reference/quadrature.h"
+#include "reference/rule.h"
 
 /* Unit vector along (s, c); (0, 0) stands for delta = 0. */
 static struct rl_angle angle(double s, double c)
@@ -105,10 +105,10 @@ static double cos_squared_sampled(const struct rl_ellipsoid *e, double stretch, 
     int pieces = 1 + (int)((to - from) * e->half_range);
     double step = (to - from) / pieces, sum = 0.0;
     for (int i = 0; i < pieces; i++)
-        for (int j = 0; j < RL_KRONROD_NODES; j++) {
-            struct rl_delta d = rl_ellipsoid_inverse(e, from + (i + 0.5 + 0.5 * rl_kronrod_node(j)) * step);
+        for (int j = 0; j < RL_RULE_NODES; j++) {
+            struct rl_delta d = rl_ellipsoid_inverse(e, from + (i + 0.5 + 0.5 * rl_rule_node(j)) * step);
             double c = d.cos_delta, ls = stretch * d.sin_delta;
-            sum += 0.5 * step * rl_kronrod_weight(j) * c * c / (c * c + ls * ls);
+            sum += 0.5 * step * rl_rule_weight(j) * c * c / (c * c + ls * ls);
         }
     return sum;
 }

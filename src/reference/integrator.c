@@ -13,9 +13,18 @@
 /* Enough for the lights of nearly every scene; more is allocated. */
 enum { MEMORY_AT_FIRST = 48 * 1024 };
 
-static bool line_at(double value[RL_QUADRATURE_COMPONENTS], double theta, void *user)
+static bool lines_at(double value[RL_QUADRATURE_COMPONENTS][RL_RULE_ROOM], const double theta[RL_RULE_ROOM],
+                     const struct rl_panel *panel, void *user)
 {
-    return rl_lines_integrate(value, user, theta);
+    (void)panel;
+    bool some = false;
+    for (int i = 0; i < RL_RULE_NODES; i++) {
+        double at[RL_QUADRATURE_COMPONENTS];
+        some = rl_lines_integrate(at, user, theta[i]) || some;
+        for (int c = 0; c < RL_QUADRATURE_COMPONENTS; c++)
+            value[c][i] = at[c];
+    }
+    return some;
 }
 
 static int by_theta(const void *a, const void *b)
@@ -30,28 +39,65 @@ static size_t merge_breaks(struct rl_break *breaks, size_t n)
     size_t kept = 0;
     qsort(breaks, n, sizeof *breaks, by_theta);
     for (size_t i = 0; i < n; i++)
-        if (kept > 0 && breaks[i].theta - breaks[kept - 1].theta < 1e-15)
-            breaks[kept - 1].touch |= breaks[i].touch;
-        else
+        if (kept == 0 || breaks[i].theta - breaks[kept - 1].theta >= 1e-15)
             breaks[kept++] = breaks[i];
+        else if (breaks[i].kind > breaks[kept - 1].kind)
+            breaks[kept - 1].kind = breaks[i].kind;
     return kept;
+}
+
+/* The next break's index beyond i that ends a panel, going round; `turn` counts times past pi. */
+static size_t next_end(const struct rl_break *breaks, size_t n, size_t i, double *turn)
+{
+    do {
+        i++;
+        if (i == n) {
+            i = 0;
+            *turn += RL_PI;
+        }
+    } while (breaks[i].kind == RL_BREAK_ROOT);
+    return i;
+}
+
+/* Whether a root lies beyond the panel's end at break i, in steps of +1 or -1, no further than the panel is long; *gap: how far. */
+static bool root_beyond(double *gap, const struct rl_break *breaks, size_t n, size_t i, int step,
+                        double reach)
+{
+    double theta = breaks[i].theta, turn = 0.0;
+    for (size_t seen = 0; seen < n; seen++) {
+        *gap = fabs(breaks[i].theta + turn - theta);
+        if (*gap > reach)
+            return false;
+        if (breaks[i].kind != RL_BREAK_KINK)
+            return true;
+        if (step > 0 ? i + 1 == n : i == 0)
+            turn += step * RL_PI;
+        i = step > 0 ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n : i) - 1;
+    }
+    return false;
 }
 
 /* Panels between the breaks of [0, pi), which is a circle: the last one runs past pi to the first break. */
 static size_t panels_between(struct rl_panel *panels, const struct rl_break *breaks, size_t n_breaks)
 {
-    if (n_breaks == 0) {
+    size_t first = 0, n = 0;
+    while (first < n_breaks && breaks[first].kind == RL_BREAK_ROOT)
+        first++;
+    if (first == n_breaks) {
         panels[0] = (struct rl_panel){.a = 0.0, .b = RL_PI};
         return 1;
     }
-    for (size_t i = 0; i < n_breaks; i++) {
-        const struct rl_break *to = i + 1 < n_breaks ? &breaks[i + 1] : &breaks[0];
-        panels[i] = (struct rl_panel){.a = breaks[i].theta,
-                                      .b = to->theta + (i + 1 < n_breaks ? 0.0 : RL_PI),
-                                      .root_at_a = breaks[i].touch,
-                                      .root_at_b = to->touch};
-    }
-    return n_breaks;
+    size_t i = first;
+    do {
+        double turn = 0.0;
+        size_t to = next_end(breaks, n_breaks, i, &turn);
+        struct rl_panel *p = &panels[n++];
+        *p = (struct rl_panel){.a = breaks[i].theta, .b = breaks[to].theta + turn};
+        p->root_at_a = root_beyond(&p->gap_a, breaks, n_breaks, i, -1, p->b - p->a);
+        p->root_at_b = root_beyond(&p->gap_b, breaks, n_breaks, to, 1, p->b - p->a);
+        i = to;
+    } while (i != first);
+    return n;
 }
 
 static void integrate_theta(struct rl_estimate *estimate, const struct rl_lines *lines, void *memory,
@@ -65,9 +111,10 @@ static void integrate_theta(struct rl_estimate *estimate, const struct rl_lines 
     const struct rl_quadrature_options quadrature = {
         .tolerance = 0.99 * RL_PI * tolerance,
         .max_evaluations = options->max_evaluations,
+        .controlled = 3,
     };
     struct rl_quadrature_result result;
-    rl_quadrature(&result, line_at, (void *)lines, panels, n, &quadrature);
+    rl_quadrature(&result, lines_at, (void *)lines, panels, n, &quadrature);
     estimate->evaluations = result.evaluations;
     estimate->converged = result.converged;
     for (int c = 0; c < 3; c++) {
@@ -103,9 +150,9 @@ void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *s
     free(owned);
 }
 
-static int integrate(struct rl_estimate *estimate, const struct rl_surface *surface,
-                     const struct rl_ellipsoid *e, const struct rl_light_set *set,
-                     const struct rl_integrate_options *options, struct rl_error *error)
+static int reference_integrate(struct rl_estimate *estimate, const struct rl_surface *surface,
+                               const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                               const struct rl_integrate_options *options, struct rl_error *error)
 {
     (void)error;
     rl_integrate_lines(estimate, surface, e, set, options);
@@ -117,5 +164,5 @@ const struct rl_integrator rl_integrator_reference = {
     .summary = "along lines, split where the integrand breaks",
     .evaluation = "lines",
     .error = "bounds the true error",
-    .integrate = integrate,
+    .integrate = reference_integrate,
 };

@@ -217,16 +217,17 @@ static void test_breaks(void **state)
     size_t smooth = 0, all = 0;
     for (int i = 0; i < 100; i++) {
         struct rl_surface s = surface_point(&d, 0.1);
-        struct shape shape = random_light(&d, &s);
+        struct shape shape[2] = {random_light(&d, &s), random_light(&d, &s)};
+        static const double radiance[] = {1.0, 0.4};
         struct view v;
-        view_make(&v, s, pow(10.0, uniform(&d, 0.0, 0.7)), &shape, NULL, 1, i % 2);
+        view_make(&v, s, pow(10.0, uniform(&d, 0.0, 0.7)), shape, radiance, i < 70 ? 1 : 2, i % 2);
         struct rl_break *breaks = malloc((rl_breaks_most(v.set) + 1) * sizeof *breaks);
         size_t n = rl_breaks_find(breaks, &v.lines);
         assert_true(n <= rl_breaks_most(v.set));
         qsort(breaks, n, sizeof *breaks, ascending);
         for (size_t j = 0; j + 1 < n; j++) {
             double a = breaks[j].theta, w = breaks[j + 1].theta - a, f[POINTS][4], between[4];
-            if (w < 1e-3 || breaks[j].touch || breaks[j + 1].touch)
+            if (w < 1e-3 || breaks[j].kind != RL_BREAK_KINK || breaks[j + 1].kind != RL_BREAK_KINK)
                 continue;
             /* Barycentric interpolation at x = 0.37 (Berrut and Trefethen 2004). */
             double top = 0.0, bottom = 0.0;
