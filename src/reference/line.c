@@ -13,11 +13,13 @@ struct line {
     struct rl_inner_line zones;
 };
 
-/* Sums radiance over stretches given in order; stretches of one radiance that touch become one. */
+/* Collects the stretches given in order; those of one radiance that touch become one. Each is either added to `value` or written down. */
 struct sweep {
     const struct rl_lines *lines;
     struct line *line;
-    double *value;
+    double *value; /* NULL: written down */
+    struct rl_stretch *stretch;
+    size_t n, room;
     size_t radiance;          /* what is seen now: an index in the set, or NOTHING */
     struct rl_crossing start; /* from here on */
 };
@@ -54,7 +56,9 @@ static struct rl_crossing cross(const struct rl_lines *lines, const struct line 
     double d = sqrt(fmax(0.0, rr - line->v_b * line->v_b));
     d = up ? d : -d;
     double along = line->v_b * m_b;
-    return place(lines, line, (along * m_t + d * m.z) / rr, (along * m.z - d * m_t) / rr);
+    struct rl_crossing at = place(lines, line, (along * m_t + d * m.z) / rr, (along * m.z - d * m_t) / rr);
+    at.limit = (struct rl_limit){m, up ? 1.0 : -1.0};
+    return at;
 }
 
 static size_t cross_polygon(struct rl_crossing *out, const struct rl_lines *lines, const struct line *line,
@@ -147,18 +151,28 @@ static double rounding(const struct rl_lines *lines, const struct rl_crossing *a
     return fmin(1.0, 8.0 * DBL_EPSILON * density);
 }
 
+/* Adds a stretch to the value. */
+static void add_stretch(double value[4], const struct rl_lines *lines, struct line *line,
+                        const struct rl_crossing *from, const struct rl_crossing *to, size_t radiance)
+{
+    const struct rl_light_set *set = lines->set;
+    double inner = inner_integral(lines, line, from, to);
+    for (int c = 0; c < 3; c++)
+        value[c] += inner * set->radiance[radiance][c];
+    value[3] += set->brightest * (rounding(lines, from) + rounding(lines, to));
+}
+
 /* From `at` on, light of this radiance is seen. */
 static void switch_to(struct sweep *sweep, size_t radiance, const struct rl_crossing *at)
 {
     if (radiance == sweep->radiance)
         return;
     if (sweep->radiance != NOTHING) {
-        const struct rl_light_set *set = sweep->lines->set;
-        double inner = inner_integral(sweep->lines, sweep->line, &sweep->start, at);
-        for (int c = 0; c < 3; c++)
-            sweep->value[c] += inner * set->radiance[sweep->radiance][c];
-        sweep->value[3] +=
-            set->brightest * (rounding(sweep->lines, &sweep->start) + rounding(sweep->lines, at));
+        if (sweep->value)
+            add_stretch(sweep->value, sweep->lines, sweep->line, &sweep->start, at, sweep->radiance);
+        else if (sweep->n < sweep->room)
+            sweep->stretch[sweep->n] = (struct rl_stretch){sweep->start.limit, at->limit, sweep->radiance};
+        sweep->n++;
     }
     sweep->radiance = radiance;
     sweep->start = *at;
@@ -261,46 +275,69 @@ static size_t wind(struct rl_seen_polygon *active[], size_t n, struct rl_seen_po
     return n;
 }
 
-bool rl_lines_integrate(double value[4], const struct rl_lines *lines, double theta)
+static struct line line_at(const struct rl_lines *lines, double theta)
 {
     struct line line = {.v_n = lines->v_n};
     sincos(theta, &line.sin_theta, &line.cos_theta);
     line.v_t = line.cos_theta * lines->v_x + line.sin_theta * lines->v_y;
     line.v_b = line.cos_theta * lines->v_y - line.sin_theta * lines->v_x;
-    value[0] = value[1] = value[2] = value[3] = 0.0;
+    return line;
+}
 
+/* delta = -pi/2 or pi/2. */
+static struct rl_crossing line_end(const struct rl_lines *lines, const struct line *line, double sign)
+{
+    return (struct rl_crossing){
+        .normal = {sign, 0.0},
+        .delta = {sign, 0.0},
+        .l_t = line->v_t,
+        .l_n = -line->v_n,
+        .full = !lines->attenuation,
+        .limit = {v3(0.0, 0.0, sign), 0.0},
+    };
+}
+
+/* Sees the line's stretches in order. */
+static void sweep_line(struct sweep *sweep)
+{
+    const struct rl_lines *lines = sweep->lines;
     struct rl_crossing *crossing = lines->crossing;
     size_t n = 0, n_active = 0;
     for (size_t i = 0; i < lines->n_polygons; i++) {
         struct rl_seen_polygon *polygon = &lines->polygon[i];
-        size_t more = cross_polygon(crossing + n, lines, &line, polygon);
+        size_t more = cross_polygon(crossing + n, lines, sweep->line, polygon);
         polygon->winding = 0;
         n_active =
             wind(lines->active, n_active, polygon, winding_at_start(lines, polygon, crossing + n, more));
         n += more;
     }
     if (n == 0 && n_active == 0)
-        return false;
+        return;
     sort_crossings(crossing, n);
-
-    const struct rl_crossing ends[2] = {
-        {.normal = {-1.0, 0.0},
-         .delta = {-1.0, 0.0},
-         .l_t = line.v_t,
-         .l_n = -line.v_n,
-         .full = !lines->attenuation},
-        {.normal = {1.0, 0.0},
-         .delta = {1.0, 0.0},
-         .l_t = line.v_t,
-         .l_n = -line.v_n,
-         .full = !lines->attenuation},
-    };
-    struct sweep sweep = {.lines = lines, .line = &line, .value = value, .radiance = NOTHING};
-    sweep_stretch(&sweep, lines->active, n_active, &ends[0], n > 0 ? &crossing[0] : &ends[1]);
+    const struct rl_crossing first = line_end(lines, sweep->line, -1.0),
+                             last = line_end(lines, sweep->line, 1.0);
+    sweep_stretch(sweep, lines->active, n_active, &first, n > 0 ? &crossing[0] : &last);
     for (size_t i = 0; i < n; i++) {
         n_active = wind(lines->active, n_active, crossing[i].polygon, crossing[i].sign);
-        sweep_stretch(&sweep, lines->active, n_active, &crossing[i], i + 1 < n ? &crossing[i + 1] : &ends[1]);
+        sweep_stretch(sweep, lines->active, n_active, &crossing[i], i + 1 < n ? &crossing[i + 1] : &last);
     }
-    switch_to(&sweep, NOTHING, &ends[1]);
-    return true;
+    switch_to(sweep, NOTHING, &last);
+}
+
+bool rl_lines_integrate(double value[4], const struct rl_lines *lines, double theta)
+{
+    struct line line = line_at(lines, theta);
+    struct sweep sweep = {.lines = lines, .line = &line, .value = value, .radiance = NOTHING};
+    value[0] = value[1] = value[2] = value[3] = 0.0;
+    sweep_line(&sweep);
+    return sweep.n > 0;
+}
+
+size_t rl_lines_trace(struct rl_stretch *stretch, size_t room, const struct rl_lines *lines, double theta)
+{
+    struct line line = line_at(lines, theta);
+    struct sweep sweep = {
+        .lines = lines, .line = &line, .stretch = stretch, .room = room, .radiance = NOTHING};
+    sweep_line(&sweep);
+    return sweep.n;
 }

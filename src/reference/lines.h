@@ -41,6 +41,13 @@ struct rl_seen_polygon {
     int winding;       /* scratch of a line */
 };
 
+/* What a place on a line is the crossing of, whatever line it is: the great circle m, upwards (+1: b.L grows along m x L) or downwards
+ * (-1); or 0: an end of the line, m being (0, 0, -1) at delta = -pi/2 and (0, 0, 1) at pi/2. */
+struct rl_limit {
+    rl_vec3 m;
+    double way;
+};
+
 /* A place on a line. */
 struct rl_crossing {
     struct rl_angle normal; /* the microfacet normal there */
@@ -48,7 +55,14 @@ struct rl_crossing {
     double l_t, l_n;        /* L */
     bool full;              /* G = 1 */
     int sign;               /* +1: enters the polygon as delta grows; -1: leaves */
+    struct rl_limit limit;
     struct rl_seen_polygon *polygon;
+};
+
+/* Light of one radiance is seen from one limit to the other, on every line of a panel. */
+struct rl_stretch {
+    struct rl_limit from, to;
+    size_t radiance; /* index in the set */
 };
 
 struct rl_lines {
@@ -78,5 +92,8 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
 /* value[0..2]: integral over delta of D G L_e, RGB; value[3]: what rounding may have done to it. Returns whether the line meets any
  * light. Uses the scratch inside `lines`. */
 bool rl_lines_integrate(double value[4], const struct rl_lines *lines, double theta);
+
+/* The stretches of the line, in order; returns how many, of which no more than `room` are written. Uses the scratch too. */
+size_t rl_lines_trace(struct rl_stretch *stretch, size_t room, const struct rl_lines *lines, double theta);
 
 #endif
