@@ -106,7 +106,7 @@ FORCE:
 
 # packages.mk holds the libraries' flags. It is an included makefile, so make makes it first, which is when the set-up
 # (see .ci/setup) takes place, and then reads it. Goals that compile nothing go without it.
-LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp
+LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp sleef
 HEADER_MODULES := osmesa egl
 NO_COMPILE := help clean uninstall setup format format-check
 GOALS := $(or $(MAKECMDGOALS),all)

@@ -122,6 +122,7 @@ static int take_job(struct job *job, const struct rl_arguments *a, struct rl_err
 {
     job->surface.N = v3(0.0, 0.0, 1.0);
     job->options.tolerance = 1e-9;
+    job->options.simd = rl_simd_best();
     static const char *const needed[] = {"view", "rr"};
     for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
         if (!rl_argument(a, needed[i]))

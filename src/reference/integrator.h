@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
+#include "base/simd.h"
 #include "effects/effect.h"
 #include "model/ellipsoid.h"
 #include "scene/scene.h"
@@ -37,6 +38,7 @@ struct rl_integrate_options {
     double tolerance;         /* absolute error wanted, in units of the brightest radiance of the set */
     size_t
         max_evaluations; /* 0: the integrator's own. Past it the best value so far and its error are returned */
+    enum rl_simd simd;   /* instruction set of `reference`; rl_simd_best() for the fastest */
     uint64_t seed;       /* of those that draw random numbers */
     double confidence;   /* of those: the error is the half width of the interval of this level; 0: 0.99 */
     int env_size;        /* of `exhaustive`: texels along a face's edge; 0: 512 */

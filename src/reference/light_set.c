@@ -9,6 +9,7 @@ static int allocate(struct rl_light_set **out, size_t n_lights, size_t n_polygon
     struct rl_light_set *set = calloc(1, sizeof *set);
     if (!set)
         return rl_fail_memory(error, "the lights");
+    set->grey = true;
     /* One element more than needed: calloc(0) may return NULL. */
     set->radiance = calloc(n_lights + 1, sizeof *set->radiance);
     set->polygon = calloc(n_polygons + 1, sizeof *set->polygon);
@@ -43,6 +44,7 @@ static size_t radiance_index(struct rl_light_set *set, const double radiance[3])
     for (int c = 0; c < 3; c++) {
         set->radiance[set->n_radiances][c] = radiance[c];
         set->brightest = fmax(set->brightest, radiance[c]);
+        set->grey = set->grey && radiance[c] == radiance[0];
     }
     return set->n_radiances++;
 }

@@ -2,6 +2,7 @@
 #ifndef RL_REFERENCE_LIGHT_SET_H
 #define RL_REFERENCE_LIGHT_SET_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "model/vec3.h"
@@ -23,6 +24,7 @@ struct rl_light_set {
         edge; /* from each vertex to the next of its polygon: taken before P is, exact for far small lights */
     double (*radiance)[3];
     double brightest; /* component of any radiance */
+    bool grey;        /* the components of each radiance are equal */
 };
 
 #endif

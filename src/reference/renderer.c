@@ -71,6 +71,7 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
         .attenuation = plan->settings.attenuation,
         .frame = plan->settings.frame,
         .tolerance = plan->settings.tolerance,
+        .simd = rl_simd_best(),
     };
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
     job->point_light = calloc(scene->n_lights + 1, sizeof *job->point_light);
