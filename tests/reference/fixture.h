@@ -124,7 +124,8 @@ static inline struct rl_estimate integrate(const struct rl_surface *s, double rr
     struct rl_ellipsoid e = rl_ellipsoid_make(rr);
     struct rl_estimate estimate;
     rl_integrate_lines(&estimate, s, &e, set,
-                       &(struct rl_integrate_options){.attenuation = attenuation, .tolerance = tolerance, .simd = rl_simd_best()});
+                       &(struct rl_integrate_options){
+                           .attenuation = attenuation, .tolerance = tolerance, .simd = rl_simd_best()});
     return estimate;
 }
 
