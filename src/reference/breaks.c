@@ -53,10 +53,10 @@ struct arc {
     struct rl_angle end;
 };
 
-static struct arc arc_of(const struct rl_edge *edge, const struct rl_edge *next)
+static struct arc arc_of(const struct rl_edge *edge)
 {
     struct arc arc = {.start = edge->start, .across = v3_cross(edge->m, edge->start)};
-    arc.end = (struct rl_angle){v3_dot(next->start, arc.across), v3_dot(next->start, arc.start)};
+    arc.end = (struct rl_angle){v3_dot(edge->end, arc.across), v3_dot(edge->end, arc.start)};
     return arc;
 }
 
@@ -221,17 +221,15 @@ static bool always(const struct rl_lines *lines, rl_vec3 L)
 
 /* Without attenuation lights shine from below the horizon too, where a crossing may leave the line at one end, delta = pi/2, and come
  * back at the other. Both are at N.L = -N.V. D is 0 there, so that the second derivative jumps. */
-static size_t end_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge,
-                         const struct rl_edge *next)
+static size_t end_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
 {
-    struct arc arc = arc_of(edge, next);
+    struct arc arc = arc_of(edge);
     return plane_breaks(breaks, lines, &arc, v3(0.0, 0.0, 1.0), -lines->v_n, always);
 }
 
-static size_t kink_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge,
-                          const struct rl_edge *next)
+static size_t kink_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
 {
-    struct arc arc = arc_of(edge, next);
+    struct arc arc = arc_of(edge);
     double v_n = lines->v_n;
     size_t n = plane_breaks(breaks, lines, &arc, v3(0.0, 0.0, 1.0), v_n, masked);
     n += plane_breaks(breaks + n, lines, &arc, v3(-2.0 * lines->v_x, -2.0 * lines->v_y, 2.0 * v_n),
@@ -259,8 +257,7 @@ size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
                     .kind = RL_BREAK_KINK,
                 };
             n += edge_touches(breaks + n, lines, &edge[j]);
-            const struct rl_edge *next = &edge[j + 1 < lines->polygon[i].n ? j + 1 : 0];
-            n += (lines->attenuation ? kink_breaks : end_breaks)(breaks + n, lines, &edge[j], next);
+            n += (lines->attenuation ? kink_breaks : end_breaks)(breaks + n, lines, &edge[j]);
         }
     }
     return n + rl_overlap_breaks(breaks + n, lines);

@@ -142,7 +142,7 @@ void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *s
     job.used = 0;
     rl_lines_make(&job.lines, memory, surface, e, set, options);
     job.batch = rl_batch_for(&job.lines, options->simd);
-    if (job.lines.n_edges > 0)
+    if (job.lines.n_polygons > 0)
         integrate_theta(estimate, &job, options);
     free(owned);
 }

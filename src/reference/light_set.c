@@ -31,6 +31,7 @@ void rl_light_set_free(struct rl_light_set *set)
     free(set->polygon);
     free(set->vertex);
     free(set->edge);
+    free(set->twin);
     free(set);
 }
 
@@ -75,6 +76,18 @@ static void add_polygon(struct rl_light_set *set, const rl_vec3 *vertex, size_t 
     set->n_vertices += n;
 }
 
+static int finish(struct rl_light_set **set, struct rl_error *error)
+{
+    if ((*set)->n_polygons < 2 || (*set)->n_radiances > 1)
+        return RL_OK;
+    int status = rl_light_set_find_twins(*set, error);
+    if (status != RL_OK) {
+        rl_light_set_free(*set);
+        *set = NULL;
+    }
+    return status;
+}
+
 int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights,
                       struct rl_error *error)
 {
@@ -91,7 +104,7 @@ int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, 
         for (size_t j = 0; j < lights[i].n_polygons; j++)
             add_polygon(*set, lights[i].polygon[j].vertex, (size_t)lights[i].polygon[j].n,
                         lights[i].radiance);
-    return RL_OK;
+    return finish(set, error);
 }
 
 int rl_light_set_from_polygons(struct rl_light_set **set, const rl_vec3 *const vertices[],
@@ -115,5 +128,5 @@ int rl_light_set_from_polygons(struct rl_light_set **set, const rl_vec3 *const v
         return status;
     for (size_t i = 0; i < n_polygons; i++)
         add_polygon(*set, vertices[i], n_vertices[i], (const double[3]){1.0, 1.0, 1.0});
-    return RL_OK;
+    return finish(set, error);
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "model/vec3.h"
 #include "reference/integrator.h"
@@ -16,15 +17,26 @@ struct rl_set_polygon {
     double thickness; /* how far any vertex lies off the plane, and what rounding adds */
 };
 
+/* What lies across an edge. */
+struct rl_twin {
+    size_t polygon; /* RL_NO_TWIN: none, or more than one */
+    bool opposite;  /* it runs along the edge the other way, as neighbours in a mesh do */
+};
+#define RL_NO_TWIN SIZE_MAX
+
 struct rl_light_set {
     size_t n_polygons, n_vertices, n_radiances;
     struct rl_set_polygon *polygon;
     rl_vec3 *vertex;
     rl_vec3 *
         edge; /* from each vertex to the next of its polygon: taken before P is, exact for far small lights */
+    struct rl_twin *twin; /* of each edge; NULL unless there are several polygons, all of one radiance */
     double (*radiance)[3];
     double brightest; /* component of any radiance */
     bool grey;        /* the components of each radiance are equal */
 };
+
+/* Finds the twins (twins.c). */
+int rl_light_set_find_twins(struct rl_light_set *set, struct rl_error *error);
 
 #endif

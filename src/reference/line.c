@@ -67,10 +67,9 @@ static size_t cross_polygon(struct rl_crossing *out, const struct rl_lines *line
     const struct rl_edge *edge = &lines->edge[polygon->first];
     double c = line->cos_theta, s = line->sin_theta;
     size_t n = 0;
-    bool first_side = c * edge->q_y - s * edge->q_x >= 0.0, side = first_side;
     for (size_t i = 0; i < polygon->n; i++) {
         const struct rl_edge *it = &edge[i];
-        bool next = i + 1 < polygon->n ? c * it[1].q_y - s * it[1].q_x >= 0.0 : first_side;
+        bool side = c * it->q_y - s * it->q_x >= 0.0, next = c * it->next_y - s * it->next_x >= 0.0;
         if (side != next) {
             out[n] = cross(lines, line, it->m, next);
             out[n++].sign = next ? -1 : 1;
@@ -87,33 +86,36 @@ static size_t cross_polygon(struct rl_crossing *out, const struct rl_lines *line
                 out[n++].sign = -1;
             }
         }
-        side = next;
     }
     for (size_t i = 0; i < n; i++)
         out[i].polygon = polygon;
     return n;
 }
 
-/* Whether the polygon is seen at delta = -pi/2, from its crossings on this line. */
+/* How often the polygon is seen through at delta = -pi/2, from its crossings on this line. */
 static int winding_at_start(const struct rl_lines *lines, const struct rl_seen_polygon *polygon,
                             const struct rl_crossing *crossing, size_t n)
 {
     if (lines->attenuation)
         return 0; /* below the horizon */
-    /* At delta = 0 the line passes the mirror direction, of which it is known whether it hits the polygon. Where an edge lies
-     * too near to tell on which side of it that is, the first crossing decides: what is left was seen before. */
+    /* At delta = 0 the line passes the mirror direction, of which it is known how many polygons it hits. Where an edge lies
+     * too near to tell on which side of it that is, the crossings decide: no more may leave than were there. */
     int before_mirror = 0;
     double nearest = 1.0;
-    const struct rl_crossing *first = NULL;
     for (size_t i = 0; i < n; i++) {
         nearest = fmin(nearest, fabs(crossing[i].normal.s));
         before_mirror += crossing[i].normal.s < 0.0 ? crossing[i].sign : 0;
-        if (!first || crossing[i].normal.s < first->normal.s)
-            first = &crossing[i];
     }
-    if (!first || nearest > 1e-9)
-        return (polygon->holds_mirror ? 1 : 0) - before_mirror;
-    return first->sign < 0 ? 1 : 0;
+    if (nearest > 1e-9)
+        return polygon->mirror_winding - before_mirror;
+    int least = 0;
+    for (size_t i = 0; i < n; i++) {
+        int so_far = 0;
+        for (size_t j = 0; j < n; j++)
+            so_far += crossing[j].normal.s <= crossing[i].normal.s ? crossing[j].sign : 0;
+        least = so_far < least ? so_far : least;
+    }
+    return -least;
 }
 
 /* Shell sort with Ciura's gaps: crossings are few, and arrive nearly in order. */

@@ -23,7 +23,7 @@ size_t rl_lines_size(const struct rl_light_set *set)
     return aligned(rl_lines_edges_most(set) * sizeof(struct rl_edge)) +
            aligned(most_crossings(set) * sizeof(struct rl_crossing)) +
            aligned(set->n_polygons * sizeof(struct rl_seen_polygon)) +
-           aligned(set->n_polygons * sizeof(struct rl_seen_polygon *));
+           aligned(set->n_polygons * sizeof(struct rl_seen_polygon *)) + aligned(set->n_polygons);
 }
 
 static void lay_out(struct rl_lines *lines, char *memory)
@@ -36,6 +36,8 @@ static void lay_out(struct rl_lines *lines, char *memory)
     lines->polygon = (struct rl_seen_polygon *)memory;
     memory += aligned(set->n_polygons * sizeof(struct rl_seen_polygon));
     lines->active = (struct rl_seen_polygon **)memory;
+    memory += aligned(set->n_polygons * sizeof(struct rl_seen_polygon *));
+    lines->facing = (signed char *)memory;
 }
 
 static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)
@@ -46,54 +48,69 @@ static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)
 /* One vertex of a polygon in the order that puts the light where m.L > 0, and the edge that starts there. */
 struct corner {
     rl_vec3 p, edge;
+    bool inner; /* the edge lies between two polygons that are seen as one */
 };
 
-static struct corner corner(const struct rl_light_set *set, const struct rl_set_polygon *polygon,
-                            const struct rl_frame *frame, rl_vec3 P, bool reversed, size_t i)
+static bool inner_edge(const struct rl_lines *lines, size_t polygon, size_t edge)
 {
-    size_t at = reversed ? polygon->n - 1 - i : i;
-    size_t next = reversed ? (at + polygon->n - 1) % polygon->n : (at + 1) % polygon->n;
-    rl_vec3 edge =
-        reversed ? v3_scale(-1.0, set->edge[polygon->first + next]) : set->edge[polygon->first + at];
-    return (struct corner){to_frame(frame, v3_sub(set->vertex[polygon->first + at], P)),
-                           to_frame(frame, edge)};
+    if (!lines->merged)
+        return false;
+    const struct rl_twin *twin = &lines->set->twin[edge];
+    return twin->polygon != RL_NO_TWIN && lines->facing[twin->polygon] != 0 &&
+           (lines->facing[polygon] == lines->facing[twin->polygon]) == twin->opposite;
+}
+
+static struct corner corner(const struct rl_lines *lines, size_t polygon, const struct rl_frame *frame,
+                            rl_vec3 P, size_t i)
+{
+    const struct rl_light_set *set = lines->set;
+    size_t first = set->polygon[polygon].first, n = set->polygon[polygon].n;
+    bool reversed = lines->facing[polygon] < 0;
+    size_t at = reversed ? n - 1 - i : i, edge = first + (reversed ? (at + n - 1) % n : at);
+    return (struct corner){
+        .p = to_frame(frame, v3_sub(set->vertex[first + at], P)),
+        .edge = to_frame(frame, v3_scale(reversed ? -1.0 : 1.0, set->edge[edge])),
+        .inner = inner_edge(lines, polygon, edge),
+    };
 }
 
 /* An edge of great circle m that starts in direction p. m = 0 marks one along the horizon. */
-static void start_edge(struct rl_lines *lines, struct rl_seen_polygon *seen, rl_vec3 p, rl_vec3 m)
+static void start_edge(struct rl_lines *lines, rl_vec3 p, rl_vec3 m, bool inner)
 {
     rl_vec3 start = v3_normalize(p);
-    lines->edge[lines->n_edges++] =
-        (struct rl_edge){.m = m, .start = start, .q_x = lines->v_x + start.x, .q_y = lines->v_y + start.y};
-    seen->n++;
+    lines->edge[lines->n_edges++] = (struct rl_edge){
+        .m = m, .start = start, .q_x = lines->v_x + start.x, .q_y = lines->v_y + start.y, .inner = inner};
 }
 
 /* Sutherland and Hodgman (1974) against the plane z = 0. A polygon that is cut into several parts stays one loop, joined along
  * the horizon there and back, which encloses nothing. */
-static void cut_at_horizon(struct rl_lines *lines, struct rl_seen_polygon *seen, struct corner from,
-                           struct corner to)
+static void cut_at_horizon(struct rl_lines *lines, struct corner from, struct corner to)
 {
     bool from_up = !lines->attenuation || from.p.z > 0.0, to_up = !lines->attenuation || to.p.z > 0.0;
     if (!from_up && !to_up)
         return;
     rl_vec3 m = v3_normalize(v3_cross(from.p, from.edge));
     if (from_up)
-        start_edge(lines, seen, from.p, m);
+        start_edge(lines, from.p, m, from.inner);
     if (from_up == to_up)
         return;
     rl_vec3 at = v3_madd(from.p, from.p.z / (from.p.z - to.p.z), from.edge);
     at.z = 0.0;
-    start_edge(lines, seen, at, from_up ? v3(0.0, 0.0, 0.0) : m);
+    start_edge(lines, at, from_up ? v3(0.0, 0.0, 0.0) : m, !from_up && from.inner);
 }
 
+/* Every edge ends where the next starts. */
 static void close_loop(struct rl_edge *edge, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         struct rl_edge *it = &edge[i];
-        rl_vec3 end = edge[i + 1 < n ? i + 1 : 0].start;
+        const struct rl_edge *next = &edge[i + 1 < n ? i + 1 : 0];
+        it->end = next->start;
+        it->next_x = next->q_x;
+        it->next_y = next->q_y;
         if (it->m.x == 0.0 && it->m.y == 0.0 && it->m.z == 0.0)
-            it->m.z = it->start.x * end.y - it->start.y * end.x < 0.0 ? -1.0 : 1.0;
-        rl_vec3 from = v3_cross(it->m, it->start), to = v3_cross(it->m, end);
+            it->m.z = it->start.x * it->end.y - it->start.y * it->end.x < 0.0 ? -1.0 : 1.0;
+        rl_vec3 from = v3_cross(it->m, it->start), to = v3_cross(it->m, it->end);
         it->from_x = from.x;
         it->from_y = from.y;
         it->to_x = to.x;
@@ -112,7 +129,7 @@ static bool hits(const struct rl_edge *edge, size_t n, rl_vec3 nearness, rl_vec3
     double x = (drop == 0 ? L.y : L.x) / near, y = (drop == 2 ? L.y : L.z) / near;
     bool inside = false;
     for (size_t i = 0; i < n; i++) {
-        rl_vec3 p = edge[i].start, q = edge[i + 1 < n ? i + 1 : 0].start;
+        rl_vec3 p = edge[i].start, q = edge[i].end;
         double p_near = v3_dot(nearness, p), q_near = v3_dot(nearness, q);
         double px = (drop == 0 ? p.y : p.x) / p_near, py = (drop == 2 ? p.y : p.z) / p_near;
         double qx = (drop == 0 ? q.y : q.x) / q_near, qy = (drop == 2 ? q.y : q.z) / q_near;
@@ -122,32 +139,55 @@ static bool hits(const struct rl_edge *edge, size_t n, rl_vec3 nearness, rl_vec3
     return inside;
 }
 
-static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl_vec3 P,
-                        const struct rl_set_polygon *polygon)
+/* Seen edge-on it covers nothing. */
+static signed char facing_of(const struct rl_light_set *set, const struct rl_set_polygon *polygon, rl_vec3 P)
 {
-    const struct rl_light_set *set = lines->set;
     rl_vec3 first = v3_sub(set->vertex[polygon->first], P);
     double distance = v3_dot(polygon->normal, first);
-    /* Seen edge-on it covers nothing. */
     if (!(fabs(distance) > polygon->thickness + 1e-15 * v3_length(first)))
-        return;
-    struct rl_seen_polygon *seen = &lines->polygon[lines->n_polygons];
-    *seen = (struct rl_seen_polygon){.first = lines->n_edges, .radiance = polygon->radiance};
-    seen->nearness = v3_scale(1.0 / distance, to_frame(frame, polygon->normal));
-    bool reversed = distance < 0.0;
-    struct corner start = corner(set, polygon, frame, P, reversed, 0), from = start;
-    for (size_t i = 1; i <= polygon->n; i++) {
-        struct corner to = i < polygon->n ? corner(set, polygon, frame, P, reversed, i) : start;
-        cut_at_horizon(lines, seen, from, to);
+        return 0;
+    return distance < 0.0 ? -1 : 1;
+}
+
+/* Adds the polygon's loop of edges; returns how many times the mirror direction hits it. */
+static int see_loop(struct rl_lines *lines, const struct rl_frame *frame, rl_vec3 P, size_t polygon,
+                    rl_vec3 nearness)
+{
+    size_t first = lines->n_edges;
+    struct corner start = corner(lines, polygon, frame, P, 0), from = start;
+    for (size_t i = 1; i <= lines->set->polygon[polygon].n; i++) {
+        struct corner to = i < lines->set->polygon[polygon].n ? corner(lines, polygon, frame, P, i) : start;
+        cut_at_horizon(lines, from, to);
         from = to;
     }
-    if (seen->n == 0)
+    struct rl_edge *edge = &lines->edge[first];
+    size_t n = lines->n_edges - first;
+    close_loop(edge, n);
+    bool hit = !lines->attenuation && hits(edge, n, nearness, v3(-lines->v_x, -lines->v_y, lines->v_n));
+    if (lines->merged) {
+        lines->n_edges = first;
+        for (size_t i = 0; i < n; i++)
+            if (!edge[i].inner)
+                lines->edge[lines->n_edges++] = edge[i];
+    }
+    return hit;
+}
+
+static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl_vec3 P, size_t polygon)
+{
+    const struct rl_light_set *set = lines->set;
+    const struct rl_set_polygon *it = &set->polygon[polygon];
+    if (lines->facing[polygon] == 0)
         return;
-    struct rl_edge *edge = &lines->edge[seen->first];
-    close_loop(edge, seen->n);
-    if (!lines->attenuation)
-        seen->holds_mirror = hits(edge, seen->n, seen->nearness, v3(-lines->v_x, -lines->v_y, lines->v_n));
-    lines->n_polygons++;
+    struct rl_seen_polygon *seen = &lines->polygon[lines->merged ? 0 : lines->n_polygons];
+    if (!lines->merged || lines->n_polygons == 0)
+        *seen = (struct rl_seen_polygon){.first = lines->n_edges, .radiance = it->radiance};
+    double distance = v3_dot(it->normal, v3_sub(set->vertex[it->first], P));
+    seen->nearness = v3_scale(1.0 / distance, to_frame(frame, it->normal));
+    seen->mirror_winding += see_loop(lines, frame, P, polygon, seen->nearness);
+    seen->n = lines->n_edges - seen->first;
+    if (seen->n > 0 || seen->mirror_winding > 0)
+        lines->n_polygons = lines->merged ? 1 : lines->n_polygons + 1;
 }
 
 void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface *surface,
@@ -163,6 +203,7 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         .e = e,
         .set = set,
         .attenuation = options->attenuation,
+        .merged = set->twin != NULL,
         .stretch = stretch,
         .v_x = V.x,
         .v_y = V.y,
@@ -170,5 +211,7 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
     };
     lay_out(lines, memory);
     for (size_t i = 0; i < set->n_polygons; i++)
-        see_polygon(lines, &frame, surface->P, &set->polygon[i]);
+        lines->facing[i] = facing_of(set, &set->polygon[i], surface->P);
+    for (size_t i = 0; i < set->n_polygons; i++)
+        see_polygon(lines, &frame, surface->P, i);
 }

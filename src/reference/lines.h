@@ -27,18 +27,22 @@
 
 struct rl_edge {
     rl_vec3 m;             /* unit normal of the edge's great circle */
-    rl_vec3 start;         /* unit direction p of the vertex it starts from */
-    double q_x, q_y;       /* V + p, projected */
+    rl_vec3 start, end;    /* unit directions p of its vertices */
+    double q_x, q_y;       /* V + p at its start, projected */
+    double next_x, next_y; /* and at its end */
     double from_x, from_y; /* m x p at its start: the tangent along the edge */
     double to_x, to_y;     /* and at its end */
+    bool inner;            /* between two polygons that are seen as one */
 };
 
+/* A polygon; or, where all lights have one radiance and it does not matter which of them is nearest, all polygons together. Of those,
+ * edges between two that face the same way are left out: what remains of a mesh is its outline. */
 struct rl_seen_polygon {
-    size_t first, n;   /* edges */
-    size_t radiance;   /* index in the set */
-    rl_vec3 nearness;  /* 1/distance in direction L is nearness.L */
-    bool holds_mirror; /* the mirror direction hits it; only without attenuation */
-    int winding;       /* scratch of a line */
+    size_t first, n;    /* edges; their ends form closed loops */
+    size_t radiance;    /* index in the set */
+    rl_vec3 nearness;   /* of a single polygon: 1/distance in direction L is nearness.L */
+    int mirror_winding; /* how many polygons the mirror direction hits; only without attenuation */
+    int winding;        /* scratch of a line */
 };
 
 /* What a place on a line is the crossing of, whatever line it is: the great circle m, upwards (+1: b.L grows along m x L) or downwards
@@ -72,10 +76,12 @@ struct rl_lines {
     double stretch;       /* see inner.h */
     double v_x, v_y, v_n; /* V in the frame */
     size_t n_edges, n_polygons;
+    bool merged; /* the one seen polygon is all of them */
     struct rl_edge *edge;
     struct rl_seen_polygon *polygon;
     struct rl_crossing *crossing;    /* scratch of a line */
     struct rl_seen_polygon **active; /* scratch of a line */
+    signed char *facing;             /* of each of the set's polygons: 1 front, -1 back, 0 edge-on */
 };
 
 /* Most edges that a view of this set may have. */

@@ -17,8 +17,8 @@ struct arc {
 
 static struct arc arc_of(const struct rl_lines *lines, const struct rl_seen_polygon *polygon, size_t i)
 {
-    const struct rl_edge *edge = &lines->edge[polygon->first];
-    return (struct arc){edge[i].m, edge[i].start, edge[i + 1 < polygon->n ? i + 1 : 0].start};
+    const struct rl_edge *edge = &lines->edge[polygon->first + i];
+    return (struct arc){edge->m, edge->start, edge->end};
 }
 
 static bool parted(rl_vec3 m, const struct arc *arc)
@@ -42,14 +42,25 @@ static void add(struct rl_break *breaks, size_t *n, const struct rl_lines *lines
         };
 }
 
+static bool same(rl_vec3 a, rl_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static bool joined(const struct arc *a, const struct arc *b)
+{
+    return same(a->from, b->from) || same(a->from, b->to) || same(a->to, b->from) || same(a->to, b->to);
+}
+
+/* a and b may be the same: several polygons in one. */
 static void edges_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines,
                         const struct rl_seen_polygon *a, const struct rl_seen_polygon *b)
 {
     for (size_t i = 0; i < a->n; i++) {
         struct arc one = arc_of(lines, a, i);
-        for (size_t j = 0; j < b->n; j++) {
+        for (size_t j = a == b ? i + 1 : 0; j < b->n; j++) {
             struct arc other = arc_of(lines, b, j);
-            if (!parted(one.m, &other) || !parted(other.m, &one))
+            if (!parted(one.m, &other) || !parted(other.m, &one) || joined(&one, &other))
                 continue;
             rl_vec3 L = meeting(one.m, &other);
             if (v3_dot(L, v3_add(one.from, one.to)) > 0.0)
@@ -92,8 +103,10 @@ static void planes_cross(struct rl_break *breaks, size_t *n, const struct rl_lin
 size_t rl_overlap_breaks(struct rl_break *breaks, const struct rl_lines *lines)
 {
     size_t n = 0;
-    if (lines->n_edges > EDGES_MOST)
+    if (lines->n_edges > EDGES_MOST || lines->set->n_polygons < 2)
         return 0;
+    if (lines->merged)
+        edges_cross(breaks, &n, lines, &lines->polygon[0], &lines->polygon[0]);
     for (size_t i = 0; i < lines->n_polygons; i++)
         for (size_t j = i + 1; j < lines->n_polygons; j++) {
             edges_cross(breaks, &n, lines, &lines->polygon[i], &lines->polygon[j]);
