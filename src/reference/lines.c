@@ -23,7 +23,8 @@ size_t rl_lines_size(const struct rl_light_set *set)
     return aligned(rl_lines_edges_most(set) * sizeof(struct rl_edge)) +
            aligned(most_crossings(set) * sizeof(struct rl_crossing)) +
            aligned(set->n_polygons * sizeof(struct rl_seen_polygon)) +
-           aligned(set->n_polygons * sizeof(struct rl_seen_polygon *)) + aligned(set->n_polygons);
+           aligned(set->n_polygons * sizeof(struct rl_seen_polygon *)) + aligned(set->n_polygons) +
+           aligned(rl_lines_edges_most(set) * sizeof(struct rl_extent));
 }
 
 static void lay_out(struct rl_lines *lines, char *memory)
@@ -38,6 +39,8 @@ static void lay_out(struct rl_lines *lines, char *memory)
     lines->active = (struct rl_seen_polygon **)memory;
     memory += aligned(set->n_polygons * sizeof(struct rl_seen_polygon *));
     lines->facing = (signed char *)memory;
+    memory += aligned(set->n_polygons);
+    lines->extent = (struct rl_extent *)memory;
 }
 
 static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)

@@ -69,6 +69,12 @@ struct rl_stretch {
     size_t radiance; /* index in the set */
 };
 
+/* Between which x the directions of an edge or a polygon lie. */
+struct rl_extent {
+    double low, high;
+    size_t index;
+};
+
 struct rl_lines {
     const struct rl_ellipsoid *e;
     const struct rl_light_set *set;
@@ -81,6 +87,7 @@ struct rl_lines {
     struct rl_seen_polygon *polygon;
     struct rl_crossing *crossing;    /* scratch of a line */
     struct rl_seen_polygon **active; /* scratch of a line */
+    struct rl_extent *extent;        /* scratch of the breaks */
     signed char *facing;             /* of each of the set's polygons: 1 front, -1 back, 0 edge-on */
 };
 

@@ -1,9 +1,9 @@
 /* Breaks that pairs of polygons make (see breaks.h): where, seen from P, their edges cross, and where one passes through the other. */
 #include "reference/breaks.h"
 
-/* With more edges than this (a mesh), looking at every pair costs more than the integral, and the adaptive rule is left to find
- * these breaks. */
-enum { EDGES_MOST = 512, MORE = 64 };
+#include <stdlib.h>
+
+enum { MORE = 64 };
 
 size_t rl_overlap_breaks_most(const struct rl_light_set *set)
 {
@@ -52,21 +52,14 @@ static bool joined(const struct arc *a, const struct arc *b)
     return same(a->from, b->from) || same(a->from, b->to) || same(a->to, b->from) || same(a->to, b->to);
 }
 
-/* a and b may be the same: several polygons in one. */
-static void edges_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines,
-                        const struct rl_seen_polygon *a, const struct rl_seen_polygon *b)
+static void arcs_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines, const struct arc *a,
+                       const struct arc *b)
 {
-    for (size_t i = 0; i < a->n; i++) {
-        struct arc one = arc_of(lines, a, i);
-        for (size_t j = a == b ? i + 1 : 0; j < b->n; j++) {
-            struct arc other = arc_of(lines, b, j);
-            if (!parted(one.m, &other) || !parted(other.m, &one) || joined(&one, &other))
-                continue;
-            rl_vec3 L = meeting(one.m, &other);
-            if (v3_dot(L, v3_add(one.from, one.to)) > 0.0)
-                add(breaks, n, lines, L);
-        }
-    }
+    if (!parted(a->m, b) || !parted(b->m, a) || joined(a, b))
+        return;
+    rl_vec3 L = meeting(a->m, b);
+    if (v3_dot(L, v3_add(a->from, a->to)) > 0.0)
+        add(breaks, n, lines, L);
 }
 
 /* Whether the great circle m has vertices of the polygon on both sides. */
@@ -100,17 +93,61 @@ static void planes_cross(struct rl_break *breaks, size_t *n, const struct rl_lin
         breaks[(*n)++] = (struct rl_break){.theta = touch[i].theta, .kind = RL_BREAK_TOUCH};
 }
 
+static void polygons_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines,
+                           const struct rl_seen_polygon *a, const struct rl_seen_polygon *b)
+{
+    for (size_t i = 0; i < a->n; i++) {
+        struct arc one = arc_of(lines, a, i);
+        for (size_t j = 0; j < b->n; j++) {
+            struct arc other = arc_of(lines, b, j);
+            arcs_cross(breaks, n, lines, &one, &other);
+        }
+    }
+    planes_cross(breaks, n, lines, a, b);
+}
+
+/* Of edges i0 .. i0 + n - 1: between which x their directions lie. An arc bulges over its chord c by 1 - sqrt(1 - c^2/4) <= c^2/4 at
+ * most, and no point inside of a polygon is further out than that for its diameter. */
+static struct rl_extent extent_of(const struct rl_edge *edge, size_t n, size_t index)
+{
+    struct rl_extent extent = {.low = 1.0, .high = -1.0, .index = index};
+    double across = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        extent.low = fmin(extent.low, fmin(edge[i].start.x, edge[i].end.x));
+        extent.high = fmax(extent.high, fmax(edge[i].start.x, edge[i].end.x));
+        across = fmax(across, v3_length(v3_sub(edge[i].end, edge[0].start)));
+    }
+    extent.low -= across * across;
+    extent.high += across * across;
+    return extent;
+}
+
+static int by_low(const void *a, const void *b)
+{
+    double x = ((const struct rl_extent *)a)->low, y = ((const struct rl_extent *)b)->low;
+    return (x > y) - (x < y);
+}
+
+/* Every pair whose extents in x overlap, which of a mesh's small pieces are few. */
 size_t rl_overlap_breaks(struct rl_break *breaks, const struct rl_lines *lines)
 {
-    size_t n = 0;
-    if (lines->n_edges > EDGES_MOST || lines->set->n_polygons < 2)
+    if (lines->set->n_polygons < 2)
         return 0;
-    if (lines->merged)
-        edges_cross(breaks, &n, lines, &lines->polygon[0], &lines->polygon[0]);
-    for (size_t i = 0; i < lines->n_polygons; i++)
-        for (size_t j = i + 1; j < lines->n_polygons; j++) {
-            edges_cross(breaks, &n, lines, &lines->polygon[i], &lines->polygon[j]);
-            planes_cross(breaks, &n, lines, &lines->polygon[i], &lines->polygon[j]);
-        }
+    struct rl_extent *extent = lines->extent;
+    const struct rl_seen_polygon *polygon = lines->polygon;
+    size_t n = 0, n_items = lines->merged ? lines->n_edges : lines->n_polygons;
+    for (size_t i = 0; i < n_items; i++)
+        extent[i] = lines->merged ? extent_of(&lines->edge[i], 1, i)
+                                  : extent_of(&lines->edge[polygon[i].first], polygon[i].n, i);
+    qsort(extent, n_items, sizeof *extent, by_low);
+    for (size_t i = 0; i < n_items; i++)
+        for (size_t j = i + 1; j < n_items && extent[j].low <= extent[i].high; j++)
+            if (lines->merged) {
+                struct arc a = arc_of(lines, polygon, extent[i].index),
+                           b = arc_of(lines, polygon, extent[j].index);
+                arcs_cross(breaks, &n, lines, &a, &b);
+            } else {
+                polygons_cross(breaks, &n, lines, &polygon[extent[i].index], &polygon[extent[j].index]);
+            }
     return n;
 }
