@@ -93,7 +93,7 @@ CXX_FLAGS = -std=c++17 -Isrc $(SHIM_CFLAGS) $(CPPFLAGS) -fPIC $(COMMON) $(SHIM_S
 CLANG_SANITIZER := $(if $(and $(SANITIZE),$(findstring clang,$(CC))),-Wl$(comma)--no-as-needed -lstdc++)
 C_LINK = $(CC) -fopenmp $(SANITIZER) $(CFLAGS) $(if $(EXTRA),-Wl$(comma)--export-dynamic-symbol=dlclose) \
 	$(CLANG_SANITIZER) -Wl,--as-needed $(LDFLAGS)
-LIBS = $(LIB_LIBS) -lembree3 -lm -lpthread -ldl
+LIBS = $(LIB_LIBS) -lembree3 -lcubature -lm -lpthread -ldl
 
 # ---- Set-up and generated files -------------------------------------------------------------------------------
 

@@ -161,5 +161,8 @@ const struct rl_integrator rl_integrator_reference = {
     .summary = "along lines, split where the integrand breaks",
     .evaluation = "lines",
     .error = "bounds the true error",
+    .uses = RL_USES_TOLERANCE | RL_USES_MAX_EVALUATIONS,
+    .default_tolerance = 1e-12,
+    .default_evaluations = 100000,
     .integrate = reference_integrate,
 };

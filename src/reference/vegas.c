@@ -1,0 +1,133 @@
+/* `vegas`: Monte Carlo over the unit square with adaptive importance sampling (Lepage 1978, as in GSL).
+ *
+ * A few iterations on a grid that learns where the integrand is large, then runs of ITERATIONS on the grid learnt, each run larger
+ * than the last and taken by itself, until one is within the tolerance. Its error is the standard error times the quantile of
+ * options->confidence, times sqrt(chi^2/dof) where the iterations scatter by more than they claim, and z^2 B/n on top: where all of n
+ * points miss (or all hit) VEGAS claims 0. Points that the grid has learnt to avoid are still believed to be dark, so that a small
+ * light that the first iterations missed may be missed for good within the stated error: one reason why this is a subject of the
+ * benchmark and no ground truth.
+ */
+#include <gsl/gsl_monte_vegas.h>
+#include <string.h>
+
+#include "reference/integrators.h"
+#include "reference/square.h"
+
+enum { ITERATIONS = 5, LEARNING_CALLS = 2000, CALLS_AT_FIRST = 4000, CALLS_MOST = 20000000 };
+
+struct channel {
+    const struct rl_square *square;
+    int c;
+    size_t evaluations;
+};
+
+static double integrand_at(double *x, size_t dimension, void *user)
+{
+    (void)dimension;
+    struct channel *channel = user;
+    size_t radiance;
+    channel->evaluations++;
+    double G = rl_square_sample(&radiance, channel->square, x[0], x[1]);
+    return radiance == RL_CAST_MISS ? 0.0 : G * channel->square->set->radiance[radiance][channel->c];
+}
+
+struct machine {
+    gsl_monte_vegas_state *state;
+    gsl_rng *rng;
+};
+
+/* Returns whether the tolerance was reached within `most` points. */
+static bool integrate_channel(double *value, double *error, struct channel *channel, struct machine *machine,
+                              const struct rl_integrate_options *options, size_t most)
+{
+    gsl_monte_function f = {.f = integrand_at, .dim = 2, .params = channel};
+    double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
+    double z = rl_square_quantile(options);
+    double brightest = channel->square->set->brightest, tolerance = options->tolerance * brightest;
+    double spent = 0.0, calls = CALLS_AT_FIRST;
+    gsl_monte_vegas_init(machine->state);
+    gsl_monte_vegas_integrate(&f, low, high, 2,
+                              most / (4 * ITERATIONS) < LEARNING_CALLS ? most / (4 * ITERATIONS) : LEARNING_CALLS,
+                              machine->rng, machine->state, value, error);
+    for (;;) {
+        spent = (double)channel->evaluations;
+        /* A run may evaluate a few points fewer than asked for, never more. */
+        calls = fmin(calls, ((double)most - spent) / ITERATIONS);
+        if (!(calls >= 2.0))
+            return false;
+        machine->state->stage = 1; /* keeps the grid, forgets the result */
+        gsl_monte_vegas_integrate(&f, low, high, 2, (size_t)calls, machine->rng, machine->state, value, error);
+        double points = (double)channel->evaluations - spent;
+        double scatter = gsl_monte_vegas_chisq(machine->state);
+        *error = z * *error * sqrt(fmax(1.0, scatter)) + z * z * brightest / points;
+        if (*error <= tolerance)
+            return true;
+        double ratio = tolerance > 0.0 ? *error / tolerance : INFINITY;
+        calls *= fmin(16.0, fmax(2.0, 1.1 * ratio * ratio));
+    }
+}
+
+static bool same_channel(const struct rl_light_set *set, int a, int b)
+{
+    for (size_t i = 0; i < set->n_radiances; i++)
+        if (set->radiance[i][a] != set->radiance[i][b])
+            return false;
+    return true;
+}
+
+static void integrate_channels(struct rl_estimate *estimate, const struct rl_square *square,
+                               struct machine *machine, const struct rl_integrate_options *options)
+{
+    size_t most = options->max_evaluations ? options->max_evaluations : CALLS_MOST;
+    for (int c = 0; c < 3; c++) {
+        int as = c > 0 && same_channel(square->set, c, 0) ? 0 : c == 2 && same_channel(square->set, 2, 1) ? 1 : c;
+        if (as < c) {
+            estimate->value[c] = estimate->value[as];
+            estimate->error[c] = estimate->error[as];
+            continue;
+        }
+        struct channel channel = {.square = square, .c = c};
+        bool reached =
+            integrate_channel(&estimate->value[c], &estimate->error[c], &channel, machine, options, most / 3);
+        estimate->converged = estimate->converged && reached;
+        estimate->evaluations += channel.evaluations;
+    }
+}
+
+static int integrate(struct rl_estimate *estimate, const struct rl_surface *surface,
+                     const struct rl_ellipsoid *e, const struct rl_light_set *set,
+                     const struct rl_integrate_options *options, struct rl_error *error)
+{
+    memset(estimate, 0, sizeof *estimate);
+    estimate->converged = true;
+    if (rl_cast_needless(surface, set))
+        return RL_OK;
+    struct rl_square square;
+    int status = rl_square_make(&square, surface, e, set, options, error);
+    if (status != RL_OK)
+        return status;
+    struct machine machine = {gsl_monte_vegas_alloc(2), gsl_rng_alloc(gsl_rng_mt19937)};
+    if (machine.state && machine.rng) {
+        gsl_rng_set(machine.rng, rl_square_seed(options->seed));
+        integrate_channels(estimate, &square, &machine, options);
+    } else {
+        status = rl_fail_memory(error, "VEGAS");
+    }
+    if (machine.state)
+        gsl_monte_vegas_free(machine.state);
+    if (machine.rng)
+        gsl_rng_free(machine.rng);
+    rl_square_free(&square);
+    return status;
+}
+
+const struct rl_integrator rl_integrator_vegas = {
+    .name = "vegas",
+    .summary = "GSL's VEGAS over the unit square of (U, theta/pi)",
+    .evaluation = "samples",
+    .error = "half width of a confidence interval, if VEGAS found the light",
+    .uses = RL_USES_TOLERANCE | RL_USES_MAX_EVALUATIONS | RL_USES_SEED | RL_USES_CONFIDENCE,
+    .default_tolerance = 1e-3,
+    .default_evaluations = CALLS_MOST,
+    .integrate = integrate,
+};
