@@ -26,15 +26,18 @@
 #include "reference/integrators.h"
 
 /* RULE: points of hcubature's rule in two dimensions, which it may exceed its limit by, twice. */
-enum { EVALUATIONS_MOST = 5000000, RULE = 17, FIRST_EVALUATIONS = 5 * RULE, DEEPEST = 80 };
+enum { EVALUATIONS_MOST = 5000000, RULE = 17, FIRST_EVALUATIONS = 5 * RULE, DEEPEST = 80, LOOKS = 3 };
 #define SAFETY 2.0
 #define COARSEST 0.5
+/* What the rule makes of a kink, as part of the integrand's variation from it times the box's size. */
+#define KINK 0.005
 
 struct box {
     const struct rl_area_cell *cell;
     double s0, s1, t0, t1; /* u = near + t (1 - near) */
     double value, error;
-    bool done;
+    double kink; /* bound on what a kink inside may add to the error; 0: there is none */
+    bool kink_across_s, done;
 };
 
 struct task {
@@ -86,6 +89,16 @@ static double density(const struct task *task, double sine, double cosine)
     return rl_ellipsoid_pdf_sincos(task->e, sine / length, l * cosine / length) * l / (length * length);
 }
 
+/* The integrand without G, per ds dt. */
+static double weight_at(const struct task *task, const struct rl_area_cell *cell, const struct spot *spot)
+{
+    if (!(spot->sine > 0.0 && spot->v_h > 0.0))
+        return 0.0;
+    double h = fabs(task->cast->polygon[cell->polygon].distance), r = spot->r;
+    return density(task, spot->sine, spot->n_h) / (4.0 * spot->v_h * spot->sine) * h / (r * r * r) *
+           spot->area;
+}
+
 static int integrand_at(unsigned dimension, const double *x, void *user, unsigned n_values, double *value)
 {
     (void)dimension;
@@ -93,16 +106,11 @@ static int integrand_at(unsigned dimension, const double *x, void *user, unsigne
     struct task *task = user;
     task->evaluations++;
     struct spot spot = spot_at(task, task->cell, x[0], x[1]);
-    *value = 0.0;
-    if (!(spot.sine > 0.0 && spot.v_h > 0.0))
-        return 0;
     rl_vec3 N = task->surface->N;
     double G = task->attenuation
                    ? rl_attenuation(spot.n_h, v3_dot(N, task->surface->V), v3_dot(N, spot.L), spot.v_h)
                    : 1.0;
-    double h = fabs(task->cast->polygon[task->cell->polygon].distance);
-    *value = density(task, spot.sine, spot.n_h) * G / (4.0 * spot.v_h * spot.sine) * h /
-             (spot.r * spot.r * spot.r) * spot.area;
+    *value = G * weight_at(task, task->cell, &spot);
     return 0;
 }
 
@@ -112,33 +120,86 @@ static double apart(rl_vec3 a, rl_vec3 b)
     return fmin(v3_length(v3_sub(a, b)), v3_length(v3_add(a, b)));
 }
 
-/* Adds the box, in halves along its longer direction (by the normal's turn) as often as step 2 asks for. */
-static void add_box(struct task *task, const struct box *box, int depth)
+/* Whether a function known on a box's spots may be 0 somewhere in it, and by how much it varies along s and along t. */
+static bool may_vanish(double f[LOOKS][LOOKS], double *along_s, double *along_t)
 {
-    static const double place[3] = {1.0 / 16.0, 0.5, 15.0 / 16.0};
-    struct spot spot[3][3];
-    double sine = 1.0, along_s = 0.0, along_t = 0.0;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
+    double low = f[0][0], high = f[0][0];
+    *along_s = *along_t = 0.0;
+    for (int i = 0; i < LOOKS; i++)
+        for (int j = 0; j < LOOKS; j++) {
+            low = fmin(low, f[i][j]);
+            high = fmax(high, f[i][j]);
+        }
+    for (int i = 0; i < LOOKS; i++) {
+        *along_s = fmax(*along_s, fabs(f[LOOKS - 1][i] - f[0][i]));
+        *along_t = fmax(*along_t, fabs(f[i][LOOKS - 1] - f[i][0]));
+    }
+    double margin = 0.25 * (high - low);
+    return low <= margin && high >= -margin;
+}
+
+/* Kinks: where G reaches 1 and where masking and shadowing swap; without attenuation where H stands at right angles to N, beyond
+ * which it is -H that reflects. */
+static void look_for_kinks(const struct task *task, struct box *box, struct spot spot[LOOKS][LOOKS])
+{
+    double to_one[LOOKS][LOOKS], swap[LOOKS][LOOKS], weight = 0.0;
+    double n_v = v3_dot(task->surface->N, task->surface->V);
+    bool reduced = false;
+    for (int i = 0; i < LOOKS; i++)
+        for (int j = 0; j < LOOKS; j++) {
+            const struct spot *at = &spot[i][j];
+            double n_l = v3_dot(task->surface->N, at->L), twice = 2.0 * at->n_h / at->v_h;
+            to_one[i][j] = task->attenuation ? twice * fmin(n_v, n_l) - 1.0 : n_v + n_l;
+            swap[i][j] = twice * (n_v - n_l);
+            reduced = reduced || to_one[i][j] < 0.0;
+            weight = fmax(weight, weight_at(task, box->cell, at));
+        }
+    double s, t, varies = 0.0;
+    box->kink_across_s = false;
+    if (may_vanish(to_one, &s, &t)) {
+        varies = task->attenuation ? fmin(1.0, s + t) : 1.0;
+        box->kink_across_s = s > t;
+    }
+    if (task->attenuation && reduced && may_vanish(swap, &s, &t)) {
+        varies = fmin(1.0, varies + s + t);
+        box->kink_across_s = s > t;
+    }
+    box->kink = KINK * varies * weight * (box->s1 - box->s0) * (box->t1 - box->t0);
+}
+
+/* Looks at a few spots of the box: where its kinks are, and whether the normal turns by more across it than step 2 allows; if so,
+ * along which direction. */
+static bool look(const struct task *task, struct box *box, bool *along)
+{
+    static const double place[LOOKS] = {1.0 / 16.0, 0.5, 15.0 / 16.0};
+    struct spot spot[LOOKS][LOOKS];
+    double sine = 1.0, turn_s = 0.0, turn_t = 0.0;
+    for (int i = 0; i < LOOKS; i++)
+        for (int j = 0; j < LOOKS; j++) {
             spot[i][j] = spot_at(task, box->cell, box->s0 + place[i] * (box->s1 - box->s0),
                                  box->t0 + place[j] * (box->t1 - box->t0));
             sine = fmin(sine, spot[i][j].sine);
         }
-    for (int i = 0; i < 3; i++) {
-        along_s = fmax(along_s, apart(spot[0][i].H, spot[1][i].H) + apart(spot[1][i].H, spot[2][i].H));
-        along_t = fmax(along_t, apart(spot[i][0].H, spot[i][1].H) + apart(spot[i][1].H, spot[i][2].H));
+    for (int i = 0; i < LOOKS; i++) {
+        turn_s = fmax(turn_s, apart(spot[0][i].H, spot[1][i].H) + apart(spot[1][i].H, spot[2][i].H));
+        turn_t = fmax(turn_t, apart(spot[i][0].H, spot[i][1].H) + apart(spot[i][1].H, spot[i][2].H));
     }
-    double limit = COARSEST * (sine + task->stretch / task->e->rr);
-    if (fmax(along_s, along_t) > limit && depth < DEEPEST && task->n_boxes < task->boxes_most) {
-        struct box half[2] = {*box, *box};
-        if (along_s > along_t)
-            half[0].s1 = half[1].s0 = 0.5 * (box->s0 + box->s1);
-        else
-            half[0].t1 = half[1].t0 = 0.5 * (box->t0 + box->t1);
-        add_box(task, &half[0], depth + 1);
-        add_box(task, &half[1], depth + 1);
-        return;
-    }
+    look_for_kinks(task, box, spot);
+    *along = turn_s > turn_t;
+    return fmax(turn_s, turn_t) > COARSEST * (sine + task->stretch / task->e->rr);
+}
+
+static void halve(struct box half[2], const struct box *box, bool along_s)
+{
+    half[0] = half[1] = *box;
+    if (along_s)
+        half[0].s1 = half[1].s0 = 0.5 * (box->s0 + box->s1);
+    else
+        half[0].t1 = half[1].t0 = 0.5 * (box->t0 + box->t1);
+}
+
+static void keep(struct task *task, const struct box *box)
+{
     if (task->n_boxes == task->box_room) {
         size_t room = 2 * task->box_room + 256;
         struct box *grown = realloc(task->box, room * sizeof *grown);
@@ -149,6 +210,48 @@ static void add_box(struct task *task, const struct box *box, int depth)
         task->box_room = room;
     }
     task->box[task->n_boxes++] = *box;
+}
+
+/* Step 2 for a cell. */
+static void add_box(struct task *task, struct box box, int depth)
+{
+    bool along_s;
+    if (look(task, &box, &along_s) && depth < DEEPEST && task->n_boxes < task->boxes_most) {
+        struct box half[2];
+        halve(half, &box, along_s);
+        add_box(task, half[0], depth + 1);
+        add_box(task, half[1], depth + 1);
+    } else {
+        keep(task, &box);
+    }
+}
+
+/* Step 3: the boxes with the largest bounds first, all those within a factor of 4 of the largest at once. */
+static void close_in_on_kinks(struct task *task, double tolerance)
+{
+    while (!task->failed) {
+        double sum = 0.0, largest = 0.0;
+        for (size_t i = 0; i < task->n_boxes; i++) {
+            sum += task->box[i].kink;
+            largest = fmax(largest, task->box[i].kink);
+        }
+        if (sum <= tolerance)
+            return;
+        size_t n = task->n_boxes;
+        for (size_t i = 0; i < n && !task->failed; i++) {
+            if (task->box[i].kink < 0.25 * largest)
+                continue;
+            if (task->n_boxes >= task->boxes_most)
+                return;
+            struct box half[2];
+            bool ignored;
+            halve(half, &task->box[i], task->box[i].kink_across_s);
+            look(task, &half[0], &ignored);
+            look(task, &half[1], &ignored);
+            task->box[i] = half[0];
+            keep(task, &half[1]);
+        }
+    }
 }
 
 static void integrate_box(struct task *task, struct box *box, double tolerance, size_t most)
@@ -178,10 +281,10 @@ static void integrate_boxes(struct task *task, double tolerance, size_t most)
         if (box->done || task->evaluations >= most)
             continue;
         size_t evaluations = (most - task->evaluations) / left;
-        double before = box->error;
         if (evaluations > 2 * FIRST_EVALUATIONS)
-            integrate_box(task, box, (tolerance - spent) / (double)left, evaluations - 2 * RULE);
-        spent += box->done ? box->error : before;
+            integrate_box(task, box, fmax(share, (tolerance - spent) / (double)left),
+                          evaluations - 2 * RULE);
+        spent += box->error;
         left--;
     }
 }
@@ -197,7 +300,7 @@ static void conclude(struct rl_estimate *estimate, const struct task *task, cons
             const struct box *box = &task->box[i];
             double radiance = set->radiance[set->polygon[box->cell->polygon].radiance][c];
             estimate->value[c] += radiance * box->value / RL_PI;
-            estimate->error[c] += radiance * SAFETY * box->error / RL_PI;
+            estimate->error[c] += radiance * (SAFETY * box->error + box->kink) / RL_PI;
             brightest = fmax(brightest, radiance);
         }
         estimate->error[c] += brightest * rounding;
@@ -226,12 +329,13 @@ static int run(struct rl_estimate *estimate, struct task *task, const struct rl_
     /* Half the points, or more, are for hcubature to place. */
     task->boxes_most = most / (6 * RULE);
     for (size_t i = 0; i < area.n && !task->failed; i++)
-        add_box(task, &(struct box){.cell = &area.cell[i], .s1 = 1.0, .t1 = 1.0}, 0);
+        add_box(task, (struct box){.cell = &area.cell[i], .s1 = 1.0, .t1 = 1.0}, 0);
+    close_in_on_kinks(task, 0.5 * RL_PI * options->tolerance);
     if (!task->failed && task->n_boxes * 3 * RULE > most)
         know_nothing(estimate, set);
     else {
         if (!task->failed && task->n_boxes > 0)
-            integrate_boxes(task, RL_PI / SAFETY * options->tolerance, most);
+            integrate_boxes(task, 0.45 * RL_PI / SAFETY * options->tolerance, most);
         conclude(estimate, task, set, options->tolerance * set->brightest);
     }
     if (task->failed)
