@@ -28,9 +28,11 @@
 /* RULE: points of hcubature's rule in two dimensions, which it may exceed its limit by, twice. */
 enum { EVALUATIONS_MOST = 5000000, RULE = 17, FIRST_EVALUATIONS = 5 * RULE, DEEPEST = 80, LOOKS = 3 };
 #define SAFETY 2.0
-#define COARSEST 0.5
+/* Turn of the normal across a box, in units of its distance from N and the width of D; and about N or the box's apex, in radians. */
+#define COARSEST 0.35
+#define WIDEST 0.7
 /* What the rule makes of a kink, as part of the integrand's variation from it times the box's size. */
-#define KINK 0.005
+#define KINK 0.01
 
 struct box {
     const struct rl_area_cell *cell;
@@ -167,26 +169,41 @@ static void look_for_kinks(const struct task *task, struct box *box, struct spot
     box->kink = KINK * varies * weight * (box->s1 - box->s0) * (box->t1 - box->t0);
 }
 
+/* The angle that the box takes up at its apex. */
+static double angle_at_apex(const struct box *box)
+{
+    struct rl_point2 from = box->cell->from, to = box->cell->to;
+    double ax = from.x + box->s0 * (to.x - from.x), ay = from.y + box->s0 * (to.y - from.y);
+    double bx = from.x + box->s1 * (to.x - from.x), by = from.y + box->s1 * (to.y - from.y);
+    return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by));
+}
+
 /* Looks at a few spots of the box: where its kinks are, and whether the normal turns by more across it than step 2 allows; if so,
  * along which direction. */
-static bool look(const struct task *task, struct box *box, bool *along)
+static bool look(const struct task *task, struct box *box, bool *along_s)
 {
     static const double place[LOOKS] = {1.0 / 16.0, 0.5, 15.0 / 16.0};
     struct spot spot[LOOKS][LOOKS];
-    double sine = 1.0, turn_s = 0.0, turn_t = 0.0;
-    for (int i = 0; i < LOOKS; i++)
-        for (int j = 0; j < LOOKS; j++) {
+    double nearest = 1.0, turn_s = 0.0, turn_t = 0.0, turn_about = 0.0;
+    for (int j = 0; j < LOOKS; j++) {
+        double sine = 1.0;
+        for (int i = 0; i < LOOKS; i++) {
             spot[i][j] = spot_at(task, box->cell, box->s0 + place[i] * (box->s1 - box->s0),
                                  box->t0 + place[j] * (box->t1 - box->t0));
             sine = fmin(sine, spot[i][j].sine);
         }
-    for (int i = 0; i < LOOKS; i++) {
-        turn_s = fmax(turn_s, apart(spot[0][i].H, spot[1][i].H) + apart(spot[1][i].H, spot[2][i].H));
-        turn_t = fmax(turn_t, apart(spot[i][0].H, spot[i][1].H) + apart(spot[i][1].H, spot[i][2].H));
+        double turn = apart(spot[0][j].H, spot[1][j].H) + apart(spot[1][j].H, spot[2][j].H);
+        turn_s = fmax(turn_s, turn);
+        turn_about = fmax(turn_about, turn / fmax(sine, 1e-12)); /* nearer, rounding turns it */
+        nearest = fmin(nearest, sine);
     }
+    for (int i = 0; i < LOOKS; i++)
+        turn_t = fmax(turn_t, apart(spot[i][0].H, spot[i][1].H) + apart(spot[i][1].H, spot[i][2].H));
     look_for_kinks(task, box, spot);
-    *along = turn_s > turn_t;
-    return fmax(turn_s, turn_t) > COARSEST * (sine + task->stretch / task->e->rr);
+    /* An edge that passes close by the apex takes up nearly half a turn, most of it in a small part of s. */
+    *along_s = turn_about > WIDEST || angle_at_apex(box) > WIDEST || turn_s > turn_t;
+    return turn_about > WIDEST || angle_at_apex(box) > WIDEST ||
+           fmax(turn_s, turn_t) > COARSEST * (nearest + task->stretch / task->e->rr);
 }
 
 static void halve(struct box half[2], const struct box *box, bool along_s)
