@@ -194,6 +194,8 @@ void rl_command_help(const struct rl_command *command)
                      o->argument ? " " : "", o->argument ? o->argument : "");
             printf("  %-24s %s\n", left, o->help);
         }
+    if (command->more_help)
+        command->more_help();
 }
 
 int rl_exit_of(int status)

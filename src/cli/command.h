@@ -51,6 +51,7 @@ struct rl_command {
     const char *summary;
     const char *description;                /* paragraphs for --help, with examples */
     const struct rl_option *const *options; /* lists of options, NULL at the end */
+    void (*more_help)(void);                /* prints what --help ends with; NULL: nothing */
     /* Returns an rl_exit; on RL_EXIT_USAGE or RL_EXIT_CHECK with a message in `error`, main prints it. */
     int (*run)(const struct rl_arguments *arguments, struct rl_error *error);
 };

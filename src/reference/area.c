@@ -252,9 +252,8 @@ static void find_crossings(struct work *w, struct rl_point2 apex, double from, d
         double middle = distance_along(seg, d);
         if (middle > 0.0 &&
             grow((void **)&w->crossing, &w->crossing_room, w->n_crossings, sizeof *w->crossing, &w->failed))
-            w->crossing[w->n_crossings++] =
-                (struct crossing){middle, fmax(0.0, distance_along(seg, d_from)),
-                                  fmax(0.0, distance_along(seg, d_to))};
+            w->crossing[w->n_crossings++] = (struct crossing){middle, fmax(0.0, distance_along(seg, d_from)),
+                                                              fmax(0.0, distance_along(seg, d_to))};
     }
     /* `middle` stands first. */
     if (w->n_crossings > 0)
@@ -266,8 +265,7 @@ static bool belongs(const struct work *w, struct rl_point2 at, size_t apex)
 {
     const struct rl_cast_polygon *polygon = &w->cast->polygon[w->polygon];
     rl_vec3 X = v3_madd(v3_madd(polygon->origin, at.x, polygon->T), at.y, polygon->B);
-    if (w->n_apices == 2 &&
-        length2(minus(at, w->apex[1 - apex])) < length2(minus(at, w->apex[apex])))
+    if (w->n_apices == 2 && length2(minus(at, w->apex[1 - apex])) < length2(minus(at, w->apex[apex])))
         return false;
     if (w->attenuation && !(v3_dot(w->surface->N, X) > 0.0))
         return false;

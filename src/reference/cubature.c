@@ -299,8 +299,7 @@ static void integrate_boxes(struct task *task, double tolerance, size_t most)
             continue;
         size_t evaluations = (most - task->evaluations) / left;
         if (evaluations > 2 * FIRST_EVALUATIONS)
-            integrate_box(task, box, fmax(share, (tolerance - spent) / (double)left),
-                          evaluations - 2 * RULE);
+            integrate_box(task, box, fmax(share, (tolerance - spent) / (double)left), evaluations - 2 * RULE);
         spent += box->error;
         left--;
     }
@@ -372,8 +371,9 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
         return RL_OK;
     double l = options->frame == RL_FRAME_PRINTED ? hypot(surface->N.y, surface->N.z) : 1.0;
     if (!(l > 0.0))
-        return rl_fail(error, RL_ERR_INPUT,
-                       "cubature: the printed frame has collapsed at this normal, expected one with a density");
+        return rl_fail(
+            error, RL_ERR_INPUT,
+            "cubature: the printed frame has collapsed at this normal, expected one with a density");
     struct rl_cast cast;
     int status = rl_cast_make(&cast, surface->P, set, error);
     if (status != RL_OK)

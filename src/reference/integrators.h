@@ -24,9 +24,9 @@ enum rl_integrator_uses {
 struct rl_integrator {
     const char *name;
     const char *summary;
-    const char *evaluation; /* what it counts: "lines", "samples", ... */
-    const char *error;      /* what its error means, in words */
-    unsigned uses;          /* enum rl_integrator_uses, or-ed */
+    const char *evaluation;     /* what it counts: "lines", "samples", ... */
+    const char *error;          /* what its error means, in words */
+    unsigned uses;              /* enum rl_integrator_uses, or-ed */
     double default_tolerance;   /* what a user gets who asks for none */
     size_t default_evaluations; /* what max_evaluations = 0 stands for; 0: unlimited, or none to limit */
     /* Thread-safe. RL_ERR_INPUT if it cannot take these options or lights; not converging is no failure. */

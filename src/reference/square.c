@@ -31,9 +31,8 @@ double rl_square_sample(size_t *radiance, const struct rl_square *square, double
     H = v3_normalize(H); /* the printed frame's is not unit */
     double v_h = v3_dot(square->V, H);
     rl_vec3 L = v3_sub(v3_scale(2.0 * v_h, H), square->V), N = square->frame.N;
-    double G = square->attenuation
-                   ? rl_attenuation(v3_dot(N, H), v3_dot(N, square->V), v3_dot(N, L), v_h)
-                   : 1.0;
+    double G =
+        square->attenuation ? rl_attenuation(v3_dot(N, H), v3_dot(N, square->V), v3_dot(N, L), v_h) : 1.0;
     if (G == 0.0)
         return 0.0;
     size_t hit = rl_cast_nearest(&square->cast, L);

@@ -13,7 +13,7 @@
 #include "reference/integrators.h"
 #include "reference/square.h"
 
-enum { ITERATIONS = 5, LEARNING_CALLS = 2000, CALLS_AT_FIRST = 4000, CALLS_MOST = 20000000 };
+enum { ITERATIONS = 5, LEARNING_CALLS = 10000, CALLS_AT_FIRST = 20000, CALLS_MOST = 20000000 };
 
 struct channel {
     const struct rl_square *square;
@@ -46,9 +46,9 @@ static bool integrate_channel(double *value, double *error, struct channel *chan
     double brightest = channel->square->set->brightest, tolerance = options->tolerance * brightest;
     double spent = 0.0, calls = CALLS_AT_FIRST;
     gsl_monte_vegas_init(machine->state);
-    gsl_monte_vegas_integrate(&f, low, high, 2,
-                              most / (4 * ITERATIONS) < LEARNING_CALLS ? most / (4 * ITERATIONS) : LEARNING_CALLS,
-                              machine->rng, machine->state, value, error);
+    gsl_monte_vegas_integrate(
+        &f, low, high, 2, most / (4 * ITERATIONS) < LEARNING_CALLS ? most / (4 * ITERATIONS) : LEARNING_CALLS,
+        machine->rng, machine->state, value, error);
     for (;;) {
         spent = (double)channel->evaluations;
         /* A run may evaluate a few points fewer than asked for, never more. */
@@ -56,7 +56,8 @@ static bool integrate_channel(double *value, double *error, struct channel *chan
         if (!(calls >= 2.0))
             return false;
         machine->state->stage = 1; /* keeps the grid, forgets the result */
-        gsl_monte_vegas_integrate(&f, low, high, 2, (size_t)calls, machine->rng, machine->state, value, error);
+        gsl_monte_vegas_integrate(&f, low, high, 2, (size_t)calls, machine->rng, machine->state, value,
+                                  error);
         double points = (double)channel->evaluations - spent;
         double scatter = gsl_monte_vegas_chisq(machine->state);
         *error = z * *error * sqrt(fmax(1.0, scatter)) + z * z * brightest / points;
@@ -80,7 +81,9 @@ static void integrate_channels(struct rl_estimate *estimate, const struct rl_squ
 {
     size_t most = options->max_evaluations ? options->max_evaluations : CALLS_MOST;
     for (int c = 0; c < 3; c++) {
-        int as = c > 0 && same_channel(square->set, c, 0) ? 0 : c == 2 && same_channel(square->set, 2, 1) ? 1 : c;
+        int as = c > 0 && same_channel(square->set, c, 0)    ? 0
+                 : c == 2 && same_channel(square->set, 2, 1) ? 1
+                                                             : c;
         if (as < c) {
             estimate->value[c] = estimate->value[as];
             estimate->error[c] = estimate->error[as];
