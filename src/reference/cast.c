@@ -94,3 +94,18 @@ bool rl_cast_needless(const struct rl_surface *surface, const struct rl_light_se
 {
     return !(v3_dot(surface->N, surface->V) > 0.0) || set->n_polygons == 0 || !(set->brightest > 0.0);
 }
+
+double rl_cast_brightest(const struct rl_light_set *set, int channel)
+{
+    double brightest = 0.0;
+    for (size_t i = 0; i < set->n_radiances; i++)
+        brightest = fmax(brightest, set->radiance[i][channel]);
+    return brightest;
+}
+
+void rl_cast_unknown(struct rl_estimate *estimate, const struct rl_light_set *set)
+{
+    *estimate = (struct rl_estimate){.converged = false};
+    for (int c = 0; c < 3; c++)
+        estimate->error[c] = rl_cast_brightest(set, c);
+}

@@ -47,4 +47,10 @@ size_t rl_cast_nearest(const struct rl_cast *cast, rl_vec3 L);
 /* Whether L_o is 0 without looking: the eye behind the surface, no light, or a black one. */
 bool rl_cast_needless(const struct rl_surface *surface, const struct rl_light_set *set);
 
+/* All that is known of L_o where not a single evaluation is allowed: from 0 to the brightest radiance. Not converged. */
+void rl_cast_unknown(struct rl_estimate *estimate, const struct rl_light_set *set);
+
+/* The brightest radiance of a channel. */
+double rl_cast_brightest(const struct rl_light_set *set, int channel);
+
 #endif

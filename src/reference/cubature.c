@@ -325,15 +325,6 @@ static void conclude(struct rl_estimate *estimate, const struct task *task, cons
     estimate->evaluations = task->evaluations;
 }
 
-/* Fewer points than boxes: 0, and L_o is at most the brightest radiance. */
-static void know_nothing(struct rl_estimate *estimate, const struct rl_light_set *set)
-{
-    estimate->converged = false;
-    for (int c = 0; c < 3; c++)
-        for (size_t i = 0; i < set->n_radiances; i++)
-            estimate->error[c] = fmax(estimate->error[c], set->radiance[i][c]);
-}
-
 static int run(struct rl_estimate *estimate, struct task *task, const struct rl_light_set *set,
                const struct rl_integrate_options *options, struct rl_error *error)
 {
@@ -348,7 +339,7 @@ static int run(struct rl_estimate *estimate, struct task *task, const struct rl_
         add_box(task, (struct box){.cell = &area.cell[i], .s1 = 1.0, .t1 = 1.0}, 0);
     close_in_on_kinks(task, 0.5 * RL_PI * options->tolerance);
     if (!task->failed && task->n_boxes * 3 * RULE > most)
-        know_nothing(estimate, set);
+        rl_cast_unknown(estimate, set); /* fewer points than boxes */
     else {
         if (!task->failed && task->n_boxes > 0)
             integrate_boxes(task, 0.45 * RL_PI / SAFETY * options->tolerance, most);

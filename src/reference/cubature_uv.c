@@ -10,7 +10,8 @@
 #include "reference/integrators.h"
 #include "reference/square.h"
 
-enum { EVALUATIONS_MOST = 5000000 };
+/* RULE: points of hcubature's rule in two dimensions. It takes two more rules at a time until it is past its limit. */
+enum { EVALUATIONS_MOST = 5000000, RULE = 17 };
 
 struct count {
     const struct rl_square *square;
@@ -37,6 +38,11 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
     estimate->converged = true;
     if (rl_cast_needless(surface, set))
         return RL_OK;
+    size_t most = options->max_evaluations ? options->max_evaluations : EVALUATIONS_MOST;
+    if (most < RULE) {
+        rl_cast_unknown(estimate, set);
+        return RL_OK;
+    }
     struct rl_square square;
     int status = rl_square_make(&square, surface, e, set, options, error);
     if (status != RL_OK)
@@ -44,9 +50,8 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
     struct count count = {.square = &square};
     const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
     double tolerance = options->tolerance * set->brightest;
-    if (hcubature(3, integrand_at, &count, 2, low, high,
-                  options->max_evaluations ? options->max_evaluations : EVALUATIONS_MOST, tolerance, 0.0,
-                  ERROR_LINF, estimate->value, estimate->error) != 0)
+    if (hcubature(3, integrand_at, &count, 2, low, high, most > 2 * RULE ? most - 2 * RULE : 1, tolerance,
+                  0.0, ERROR_LINF, estimate->value, estimate->error) != 0)
         status = rl_fail_memory(error, "hcubature");
     estimate->evaluations = count.evaluations;
     for (int c = 0; c < 3; c++)

@@ -46,9 +46,7 @@ static double conclude(struct rl_estimate *estimate, const struct tally *tally,
 {
     double n = (double)tally->n, half = 0.5 * z * z, n_all = n + z * z, largest = 0.0;
     for (int c = 0; c < 3; c++) {
-        double brightest = 0.0;
-        for (size_t i = 0; i < set->n_radiances; i++)
-            brightest = fmax(brightest, set->radiance[i][c]);
+        double brightest = rl_cast_brightest(set, c);
         double mean = (tally->sum[c] + half * brightest) / n_all;
         double variance = (tally->squares[c] + half * brightest * brightest) / n_all - mean * mean;
         estimate->value[c] = tally->sum[c] / n;

@@ -13,7 +13,14 @@
 #include "reference/integrators.h"
 #include "reference/square.h"
 
-enum { ITERATIONS = 5, LEARNING_CALLS = 10000, CALLS_AT_FIRST = 20000, CALLS_MOST = 20000000 };
+enum {
+    ITERATIONS = 5,
+    LEARNING_CALLS = 10000,
+    CALLS_AT_FIRST = 20000,
+    CALLS_LEAST = 4,
+    LEAST = 5 * ITERATIONS * CALLS_LEAST,
+    CALLS_MOST = 20000000
+};
 
 struct channel {
     const struct rl_square *square;
@@ -36,28 +43,30 @@ struct machine {
     gsl_rng *rng;
 };
 
-/* Returns whether the tolerance was reached within `most` points. */
-static bool integrate_channel(double *value, double *error, struct channel *channel, struct machine *machine,
-                              const struct rl_integrate_options *options, size_t most)
+/* One stage: ITERATIONS of `calls` points or a few fewer. */
+static void iterate(double *value, double *error, struct channel *channel, struct machine *machine, int stage,
+                    double calls)
 {
     gsl_monte_function f = {.f = integrand_at, .dim = 2, .params = channel};
     double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
-    double z = rl_square_quantile(options);
-    double brightest = channel->square->set->brightest, tolerance = options->tolerance * brightest;
-    double spent = 0.0, calls = CALLS_AT_FIRST;
+    machine->state->stage = stage;
+    gsl_monte_vegas_integrate(&f, low, high, 2, (size_t)calls, machine->rng, machine->state, value, error);
+}
+
+/* Returns whether the tolerance was reached within `most` points, of which a quarter at most goes into learning. */
+static bool integrate_channel(double *value, double *error, struct channel *channel, struct machine *machine,
+                              const struct rl_integrate_options *options, double most)
+{
+    double z = rl_square_quantile(options), brightest = channel->square->set->brightest;
+    double tolerance = options->tolerance * brightest, calls = CALLS_AT_FIRST;
     gsl_monte_vegas_init(machine->state);
-    gsl_monte_vegas_integrate(
-        &f, low, high, 2, most / (4 * ITERATIONS) < LEARNING_CALLS ? most / (4 * ITERATIONS) : LEARNING_CALLS,
-        machine->rng, machine->state, value, error);
+    iterate(value, error, channel, machine, 0, fmin(LEARNING_CALLS, 0.25 * most / ITERATIONS));
     for (;;) {
-        spent = (double)channel->evaluations;
-        /* A run may evaluate a few points fewer than asked for, never more. */
-        calls = fmin(calls, ((double)most - spent) / ITERATIONS);
-        if (!(calls >= 2.0))
+        double spent = (double)channel->evaluations;
+        calls = fmin(calls, (most - spent) / ITERATIONS);
+        if (calls < CALLS_LEAST)
             return false;
-        machine->state->stage = 1; /* keeps the grid, forgets the result */
-        gsl_monte_vegas_integrate(&f, low, high, 2, (size_t)calls, machine->rng, machine->state, value,
-                                  error);
+        iterate(value, error, channel, machine, 1, calls); /* 1: keeps the grid, forgets the result */
         double points = (double)channel->evaluations - spent;
         double scatter = gsl_monte_vegas_chisq(machine->state);
         *error = z * *error * sqrt(fmax(1.0, scatter)) + z * z * brightest / points;
@@ -90,8 +99,8 @@ static void integrate_channels(struct rl_estimate *estimate, const struct rl_squ
             continue;
         }
         struct channel channel = {.square = square, .c = c};
-        bool reached =
-            integrate_channel(&estimate->value[c], &estimate->error[c], &channel, machine, options, most / 3);
+        bool reached = integrate_channel(&estimate->value[c], &estimate->error[c], &channel, machine, options,
+                                         (double)most / 3.0);
         estimate->converged = estimate->converged && reached;
         estimate->evaluations += channel.evaluations;
     }
@@ -105,6 +114,10 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
     estimate->converged = true;
     if (rl_cast_needless(surface, set))
         return RL_OK;
+    if (options->max_evaluations && options->max_evaluations < 3 * LEAST) {
+        rl_cast_unknown(estimate, set);
+        return RL_OK;
+    }
     struct rl_square square;
     int status = rl_square_make(&square, surface, e, set, options, error);
     if (status != RL_OK)
