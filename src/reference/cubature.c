@@ -46,7 +46,7 @@ struct task {
     const struct rl_surface *surface;
     const struct rl_ellipsoid *e;
     const struct rl_cast *cast;
-    bool attenuation, failed;
+    bool attenuation, failed, unresolved;
     double stretch; /* l */
     const struct rl_area_cell *cell;
     size_t evaluations, n_boxes, box_room, boxes_most;
@@ -232,8 +232,9 @@ static void keep(struct task *task, const struct box *box)
 /* Step 2 for a cell. */
 static void add_box(struct task *task, struct box box, int depth)
 {
-    bool along_s;
-    if (look(task, &box, &along_s) && depth < DEEPEST && task->n_boxes < task->boxes_most) {
+    bool along_s, coarse = look(task, &box, &along_s);
+    task->unresolved = task->unresolved || (coarse && task->n_boxes >= task->boxes_most);
+    if (coarse && depth < DEEPEST && task->n_boxes < task->boxes_most) {
         struct box half[2];
         halve(half, &box, along_s);
         add_box(task, half[0], depth + 1);
@@ -338,8 +339,8 @@ static int run(struct rl_estimate *estimate, struct task *task, const struct rl_
     for (size_t i = 0; i < area.n && !task->failed; i++)
         add_box(task, (struct box){.cell = &area.cell[i], .s1 = 1.0, .t1 = 1.0}, 0);
     close_in_on_kinks(task, 0.5 * RL_PI * options->tolerance);
-    if (!task->failed && task->n_boxes * 3 * RULE > most)
-        rl_cast_unknown(estimate, set); /* fewer points than boxes */
+    if (task->unresolved || task->n_boxes * 3 * RULE > most)
+        rl_cast_unknown(estimate, set); /* there may be a peak between the points */
     else {
         if (!task->failed && task->n_boxes > 0)
             integrate_boxes(task, 0.45 * RL_PI / SAFETY * options->tolerance, most);

@@ -13,11 +13,12 @@
 #include "reference/integrators.h"
 #include "reference/square.h"
 
+/* CALLS_LEAST: points an iteration below which its variance says nothing; LEAST: what a channel needs then. */
 enum {
     ITERATIONS = 5,
     LEARNING_CALLS = 10000,
     CALLS_AT_FIRST = 20000,
-    CALLS_LEAST = 4,
+    CALLS_LEAST = 200,
     LEAST = 5 * ITERATIONS * CALLS_LEAST,
     CALLS_MOST = 20000000
 };
@@ -77,30 +78,33 @@ static bool integrate_channel(double *value, double *error, struct channel *chan
     }
 }
 
-static bool same_channel(const struct rl_light_set *set, int a, int b)
+/* The first channel in which all radiances are what they are in channel c. */
+static int same_as(const struct rl_light_set *set, int c)
 {
-    for (size_t i = 0; i < set->n_radiances; i++)
-        if (set->radiance[i][a] != set->radiance[i][b])
-            return false;
-    return true;
+    for (int as = 0; as < c; as++) {
+        bool same = true;
+        for (size_t i = 0; i < set->n_radiances; i++)
+            same = same && set->radiance[i][as] == set->radiance[i][c];
+        if (same)
+            return as;
+    }
+    return c;
 }
 
 static void integrate_channels(struct rl_estimate *estimate, const struct rl_square *square,
-                               struct machine *machine, const struct rl_integrate_options *options)
+                               struct machine *machine, const struct rl_integrate_options *options,
+                               double most)
 {
-    size_t most = options->max_evaluations ? options->max_evaluations : CALLS_MOST;
     for (int c = 0; c < 3; c++) {
-        int as = c > 0 && same_channel(square->set, c, 0)    ? 0
-                 : c == 2 && same_channel(square->set, 2, 1) ? 1
-                                                             : c;
+        int as = same_as(square->set, c);
         if (as < c) {
             estimate->value[c] = estimate->value[as];
             estimate->error[c] = estimate->error[as];
             continue;
         }
         struct channel channel = {.square = square, .c = c};
-        bool reached = integrate_channel(&estimate->value[c], &estimate->error[c], &channel, machine, options,
-                                         (double)most / 3.0);
+        bool reached =
+            integrate_channel(&estimate->value[c], &estimate->error[c], &channel, machine, options, most);
         estimate->converged = estimate->converged && reached;
         estimate->evaluations += channel.evaluations;
     }
@@ -114,7 +118,9 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
     estimate->converged = true;
     if (rl_cast_needless(surface, set))
         return RL_OK;
-    if (options->max_evaluations && options->max_evaluations < 3 * LEAST) {
+    int channels = 1 + (same_as(set, 1) == 1) + (same_as(set, 2) == 2);
+    double most = (double)(options->max_evaluations ? options->max_evaluations : CALLS_MOST) / channels;
+    if (most < LEAST) {
         rl_cast_unknown(estimate, set);
         return RL_OK;
     }
@@ -125,7 +131,7 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
     struct machine machine = {gsl_monte_vegas_alloc(2), gsl_rng_alloc(gsl_rng_mt19937)};
     if (machine.state && machine.rng) {
         gsl_rng_set(machine.rng, rl_square_seed(options->seed));
-        integrate_channels(estimate, &square, &machine, options);
+        integrate_channels(estimate, &square, &machine, options, most);
     } else {
         status = rl_fail_memory(error, "VEGAS");
     }
