@@ -134,7 +134,29 @@ bad "integrate: vertex" "--light 1: vertex 2 .*expected three" integrate --view 
 bad "integrate: zero normal" "--normal: found the zero vector" integrate --view 0,0,1 --normal 0,0,0 --rr 3 --light "$light"
 bad "integrate: rr" "--rr: found 'nan'" integrate --view 0,0,1 --rr nan --light "$light"
 bad "integrate without a view" "--view is missing" integrate --rr 3 --light "$light"
-bad "integrate: method" "--method: found 'guess'" integrate --view 0,0,1 --rr 3 --light "$light" --method guess
+bad "integrate: method" "--method: found 'guess', expected one of reference, .*montecarlo.*cubature.*vegas" \
+    integrate --view 0,0,1 --rr 3 --light "$light" --method guess
+bad_option() { # METHOD OPTION VALUE PATTERN
+    bad "integrate: --method $1 $2 '$3'" "$4" integrate --view 0,0,1 --rr 3 --light "$light" --method "$1" "$2" "$3"
+}
+bad_option reference --seed 3 "--seed has no effect with --method reference; it is for .*montecarlo"
+bad_option cubature --confidence 0.9 "--confidence has no effect with --method cubature; it is for .*montecarlo"
+bad_option montecarlo --env-size 64 "--env-size has no effect with --method montecarlo"
+for seed in -1 1.5 x '' 99999999999999999999; do
+    bad_option montecarlo --seed "$seed" "--seed: found '$seed', expected a whole number from 0"
+done
+for confidence in 0 1 99 nan; do
+    bad_option vegas --confidence $confidence "--confidence: found '$confidence', expected a number from 0.5"
+done
+for most in 0 -5 1e6; do
+    bad_option cubature --max-evaluations $most "--max-evaluations: found '$most', expected a whole number from 1"
+done
+for tolerance in 0 -1e-3 1 inf; do
+    bad_option vegas --tolerance $tolerance "--tolerance: found '$tolerance', expected a number from 1e-14 to 0.1"
+done
+bad_option reference --repeat 0 "--repeat: found '0', expected a whole number from 1"
+bad "integrate: the printed frame has no density" "cubature: the printed frame has collapsed" \
+    integrate --view 1,0,1 --normal 1,0,0 --rr 3 --light "$light" --method cubature --frame printed
 
 # The instruction set
 for simd in SSE AVX512 best; do

@@ -49,6 +49,38 @@ check "integrate prints JSON" sh -c "'$rl' integrate --view 0,0,1 --rr 3 --light
     grep -Eq '^\[\{\"value\":[0-9.e-]+,\"error\":[0-9.e-]+,\"evaluations\":[0-9]+,\"seconds\":[0-9.e-]+\}\]$'"
 same_value() { [ "$(integrate | cut -f1 | tail -1)" = "$(integrate --format=tsv --normal 0,0,7 | cut -f1 | tail -1)" ]; }
 check "vectors need not be unit length" same_value
+# Every method against the reference, within the errors of both: the interval of a random one at five sigma.
+agrees() {
+    integrate --method "$@" >"$tmp/row" && cat "$tmp/row" && integrate | tail -1 | cat - "$tmp/row" | awk -F'\t' '
+        NR == 1 { truth = $1; ok = $2 <= 1e-12 }
+        NR == 2 { ok = ok && $0 == "value\terror\tevaluations\tseconds" }
+        NR == 3 { off = $1 - truth; ok = ok && off <= $2 + 1e-12 && -off <= $2 + 1e-12 && $2 < 0.01 && $3 > 0 }
+        END { exit !(ok && NR == 3) }'
+}
+check "montecarlo agrees" agrees montecarlo --confidence 0.999999
+check "vegas agrees" agrees vegas --confidence 0.999999
+check "cubature agrees" agrees cubature
+check "cubature-uv agrees" agrees cubature-uv
+value_of() { integrate "$@" | cut -f1 | tail -1; }
+same_seed() { [ "$(value_of --method montecarlo --seed 5)" = "$(value_of --method montecarlo --seed 5)" ]; }
+other_seed() { [ "$(value_of --method montecarlo --seed 5)" != "$(value_of --method montecarlo --seed 6)" ]; }
+check "the same seed gives the same value" same_seed
+check "another seed gives another" other_seed
+wider() { integrate --method montecarlo --max-evaluations 1000 --tolerance 1e-9 "$@" 2>"$tmp/err" | cut -f2 | tail -1; }
+level() { awk -v a="$(wider --confidence 0.999)" -v b="$(wider --confidence 0.9)" 'BEGIN { exit !(a > 1.5 * b) }'; }
+check "a higher confidence is a wider interval" level
+stopped() {
+    exits 1 integrate --method montecarlo --max-evaluations 1000 --tolerance 1e-9 >"$tmp/row" 2>"$tmp/err" &&
+        [ "$(wc -l <"$tmp/row")" -eq 2 ] && [ "$(cut -f3 "$tmp/row" | tail -1)" -eq 1000 ] &&
+        grep -q 'after 1000 samples, the tolerance is 1e-09' "$tmp/err"
+}
+check "a tolerance out of reach: a row, and exit code 1" stopped
+repeated() { [ "$(value_of --repeat 20)" = "$(value_of)" ]; }
+check "repeating changes no value" repeated
+methods_in_help() { for m in reference montecarlo cubature cubature-uv vegas; do
+    "$rl" integrate --help | grep -q "^  $m  " || return 1
+done; }
+check "integrate --help describes every method" methods_in_help
 check "info names every backend" sh -c "'$rl' info | cut -f1 | grep -c '^backend ' | grep -q 3"
 check "a full standard output is an error" sh -c "'$rl' info >/dev/full; [ \$? -eq 2 ]"
 check "plan prints passes" sh -c "'$rl' plan $scene | grep -q highlight"
