@@ -1,0 +1,164 @@
+/* Integrals of the weight over texels near its poles (see texel_pole.h). */
+#include "reference/texel_pole.h"
+
+#include <float.h>
+#include <math.h>
+
+/* How large a square may be. Where it lies this many of its edges away, w itself is smooth, and four Gauss points integrate it to 1e-3
+ * of its share; nearer, F must be smooth, which it is over this part of the distance in which it varies. */
+#define AWAY_EDGES 2.0
+#define FINE 0.5
+
+/* Divisions at most: at the mirror direction as many as R_r = 1e12 needs; at L = -V, where no square is fine, until what is left weighs
+ * 2^-8 of the texel; on the horizon, where the image folds over and squares along a whole line are divided, few. */
+enum { DEEPEST = 40, DEEPEST_BEHIND = 8, DEEPEST_FOLDED = 3 };
+
+struct rl_texel_pole rl_texel_pole_make(const struct rl_surface *surface, const struct rl_ellipsoid *e,
+                                        bool attenuation, double reach)
+{
+    struct rl_texel_pole pole = {
+        .frame = rl_frame_make(RL_FRAME_ORTHONORMAL, surface->N),
+        .rr = e->rr,
+        .scale = e->norm / (2.0 * RL_PI * e->rr),
+        .reach = reach,
+        .attenuation = attenuation,
+    };
+    pole.v = v3(v3_dot(surface->V, pole.frame.T), v3_dot(surface->V, pole.frame.B),
+                v3_dot(surface->V, surface->N));
+    return pole;
+}
+
+/* M = V + L in the frame. */
+static rl_vec3 half_vector(const struct rl_texel_pole *pole, rl_vec3 L)
+{
+    return v3(v3_dot(L, pole->frame.T) + pole->v.x, v3_dot(L, pole->frame.B) + pole->v.y,
+              v3_dot(L, pole->frame.N) + pole->v.z);
+}
+
+/* F, with u = |y|^2. */
+static double smooth_factor(const struct rl_texel_pole *pole, double n, double u)
+{
+    double q = u + n * n, share = q;
+    if (pole->attenuation)
+        share = fmin(q, 4.0 * n * fmax(0.0, fmin(pole->v.z, n - pole->v.z)));
+    double below = (n * n / pole->rr + pole->rr * u) * sqrt(q);
+    return below > 0.0 ? pole->scale * fabs(n) * share / below : 0.0;
+}
+
+double rl_texel_weight(const struct rl_texel_pole *pole, rl_vec3 direction, double least)
+{
+    rl_vec3 m = half_vector(pole, direction);
+    double u = fmax(m.x * m.x + m.y * m.y, least * least);
+    return smooth_factor(pole, m.z, u) / sqrt(u);
+}
+
+double rl_texel_distance(const struct rl_texel_pole *pole, rl_vec3 direction)
+{
+    rl_vec3 m = half_vector(pole, v3_normalize(direction));
+    return hypot(m.x, m.y);
+}
+
+/* The integral of 1/|y| over the triangle (0, a, b), signed; *area grows by the triangle's. */
+static double edge_share(double *area, rl_vec3 a, rl_vec3 b)
+{
+    double x = b.x - a.x, y = b.y - a.y, length = hypot(x, y), cross = a.x * b.y - a.y * b.x;
+    *area += 0.5 * cross;
+    if (!(fabs(cross) > 0.0))
+        return 0.0;
+    double from = (a.x * x + a.y * y) / length, to = (b.x * x + b.y * y) / length;
+    double la = hypot(a.x, a.y), lb = hypot(b.x, b.y);
+    /* asinh(e/d) = log((e + |y|)/d), or from the other end where e < 0. */
+    double swept = from + to >= 0.0 ? log((to + lb) / (from + la)) : log((la - from) / (lb - to));
+    return cross / length * swept;
+}
+
+struct square {
+    int face;
+    double s, t, half;
+};
+
+/* M at the square's corners; whether some lie above the horizon and some below. */
+static bool find_corners(rl_vec3 m[4], const struct rl_texel_pole *pole, const struct square *q)
+{
+    static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    int above = 0;
+    for (int i = 0; i < 4; i++) {
+        rl_vec3 L = rl_cube_direction(q->face, q->s + corner[i][0] * q->half, q->t + corner[i][1] * q->half);
+        m[i] = half_vector(pole, v3_normalize(L));
+        above += m[i].z > pole->v.z;
+    }
+    return above != 0 && above != 4;
+}
+
+/* The mean of 1/|y| over a polygon of four corners. */
+static double mean_inverse(const rl_vec3 m[4])
+{
+    double area = 0.0, sum = 0.0;
+    for (int i = 0; i < 4; i++)
+        sum += edge_share(&area, m[i], m[(i + 1) % 4]);
+    return sum / area;
+}
+
+/* Gauss and Legendre's two points along either axis. */
+static double by_gauss(const struct rl_texel_pole *pole, const struct square *q)
+{
+    const double at = q->half / sqrt(3.0);
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++) {
+        rl_vec3 L = rl_cube_direction(q->face, q->s + (i & 1 ? at : -at), q->t + (i & 2 ? at : -at));
+        double length = v3_length(L);
+        sum += rl_texel_weight(pole, v3_scale(1.0 / length, L), DBL_MIN) / (length * length * length);
+    }
+    return sum * q->half * q->half;
+}
+
+static struct square quarter(const struct square *q, int i)
+{
+    double half = 0.5 * q->half;
+    return (struct square){q->face, q->s + (i & 1 ? half : -half), q->t + (i & 2 ? half : -half), half};
+}
+
+/* F at the centre times the closed form; near a fold F over a distance that keeps it finite. */
+static double by_centre(const struct rl_texel_pole *pole, const struct square *q)
+{
+    rl_vec3 corner[4], L = rl_cube_direction(q->face, q->s, q->t);
+    double length = v3_length(L);
+    rl_vec3 m = half_vector(pole, v3_scale(1.0 / length, L));
+    double y = hypot(m.x, m.y);
+    bool folded = find_corners(corner, pole, q);
+    double inverse = folded ? 1.0 / fmax(y, 0.5 * q->half / length) : mean_inverse(corner);
+    return smooth_factor(pole, m.z, y * y) * inverse * rl_cube_solid_angle(q->s, q->t, q->half);
+}
+
+static double square_integral(const struct rl_texel_pole *pole, const struct square *q, int depth,
+                              size_t *evaluations)
+{
+    rl_vec3 corner[4], L = rl_cube_direction(q->face, q->s, q->t);
+    double length = v3_length(L), edge = 2.0 * q->half / length;
+    rl_vec3 m = half_vector(pole, v3_scale(1.0 / length, L));
+    double y = hypot(m.x, m.y), sum = 0.0;
+    if (y >= AWAY_EDGES * edge) {
+        *evaluations += 4;
+        return by_gauss(pole, q);
+    }
+    bool folded = find_corners(corner, pole, q);
+    bool fine = !folded && FINE * fmax(y, fabs(m.z) / pole->rr) >= edge;
+    int deepest = folded ? DEEPEST_FOLDED : m.z < pole->v.z ? DEEPEST_BEHIND : DEEPEST;
+    bool divide = !fine && depth < deepest;
+    for (int i = 0; i < 4; i++) {
+        struct square part = quarter(q, i);
+        sum += divide ? square_integral(pole, &part, depth + 1, evaluations) : by_centre(pole, &part);
+    }
+    if (divide)
+        return sum;
+    /* The error of either is as the square of its edge: Richardson. */
+    *evaluations += 5;
+    return fine ? (4.0 * sum - by_centre(pole, q)) / 3.0 : sum;
+}
+
+double rl_texel_integral(const struct rl_texel_pole *pole, int face, double s, double t, double half,
+                         size_t *evaluations)
+{
+    struct square whole = {face, s, t, half};
+    return square_integral(pole, &whole, 0, evaluations);
+}
