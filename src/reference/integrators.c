@@ -8,10 +8,11 @@ extern const struct rl_integrator rl_integrator_montecarlo;
 extern const struct rl_integrator rl_integrator_cubature;
 extern const struct rl_integrator rl_integrator_cubature_uv;
 extern const struct rl_integrator rl_integrator_vegas;
+extern const struct rl_integrator rl_integrator_exhaustive;
 
 const struct rl_integrator *const rl_integrators[] = {
     &rl_integrator_reference,   &rl_integrator_montecarlo, &rl_integrator_cubature,
-    &rl_integrator_cubature_uv, &rl_integrator_vegas,
+    &rl_integrator_cubature_uv, &rl_integrator_vegas,      &rl_integrator_exhaustive,
 };
 
 const size_t rl_n_integrators = sizeof rl_integrators / sizeof rl_integrators[0];
