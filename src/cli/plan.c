@@ -51,7 +51,8 @@ static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, con
             continue;
         snprintf(name, sizeof name, "environment map %d", plan->environment[i]);
         snprintf(detail, sizeof detail, "6x%dx%d %s, seen from object %s", s->env_size, s->env_size,
-                 rl_texel_format_name(s->env_format), scene->object[i].name);
+                 plan->on_cpu ? "exact radiance" : rl_texel_format_name(s->env_format),
+                 scene->object[i].name);
         row(rows, "texture", name, detail);
     }
     for (size_t i = 0; i < plan->n_patterns; i++) {

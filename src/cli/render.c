@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/machine.h"
+#include "base/simd.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/output.h"
@@ -72,8 +73,12 @@ static int draw_on_cpu(struct drawing *d, const struct rl_scene *scene, const st
     snprintf(d->renderer, sizeof d->renderer, "CPU, Embree %s", embree);
     d->seconds = stats.seconds;
     d->threads = stats.threads;
-    fprintf(stderr, "render: %.2f s, %zu foreground pixels, %zu lines, largest error estimate %.2g\n",
-            stats.seconds, stats.foreground, stats.evaluations, stats.worst_error);
+    fprintf(stderr, "render: %.2f s, %zu foreground pixels", stats.seconds, stats.foreground);
+    if (stats.evaluations > 0)
+        fprintf(stderr, ", %zu lines, largest error estimate %.2g", stats.evaluations, stats.worst_error);
+    if (stats.texels > 0)
+        fprintf(stderr, ", %.3g texel-normals (%s)", (double)stats.texels, rl_simd_name(rl_simd_best()));
+    fputc('\n', stderr);
     if (stats.unconverged > 0)
         fprintf(stderr, "render: warning: %zu pixels stayed above the tolerance\n", stats.unconverged);
     return RL_OK;
@@ -152,11 +157,11 @@ const struct rl_command rl_command_render = {
     .max_positionals = 1,
     .summary = "render a scene to an EXR or PNG",
     .description =
-        "Renders a scene file on the GPU, or on the CPU if the method is `reference`. What an option does "
-        "not say, the\n"
-        "scene file's `render` block says, else the default in brackets. The image carries its provenance "
-        "as\n"
-        "attributes (iinfo -v shows them).\n\n"
+        "Renders a scene file on the GPU, or on the CPU if the method is `reference` or `exhaustive`. What "
+        "an option does\n"
+        "not say, the scene file's `render` block says, else the default in brackets. The image carries its "
+        "provenance\n"
+        "as attributes (iinfo -v shows them).\n\n"
         "  roughlight render studies/scenes/teapot-star.yaml --method random --samples 4 -o a.exr\n"
         "  roughlight render studies/scenes/teapot-star.yaml --method reference -o r.exr\n"
         "  roughlight compare a.exr r.exr",

@@ -12,7 +12,7 @@
 
 const struct rl_option rl_options_render[] = {
     {'m', "method", "NAME",
-     "highlight method of every material: plain, regular, random, reference (the scene's)"},
+     "highlight method of every material: plain, regular, random, exhaustive, reference (the scene's)"},
     {'n', "samples", "N", "normals a pixel, 1 to 1024 (regular 13, random 4)"},
     {0, "rr", "R", "R_r of every material, > 0; 1 is the roughest the paper allows (the scene's)"},
     {0, "attenuation", "on|off", "geometric attenuation G; off: G = 1 (on)"},

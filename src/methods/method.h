@@ -35,6 +35,7 @@ struct rl_method {
     bool sampled; /* takes --samples */
     int default_samples;
     bool needs_environment, needs_normal_map, needs_pattern, needs_point_lights;
+    bool orthonormal_only; /* takes no other tangent frame */
     /* How many vec4 of its own it takes as uniform vec4 NAME_params[K], and how they follow from the distribution. */
     int n_params;
     void (*pack)(const struct rl_ellipsoid *e, double params[][4]);

@@ -6,13 +6,11 @@
 extern const struct rl_method rl_method_plain;
 extern const struct rl_method rl_method_regular;
 extern const struct rl_method rl_method_random;
+extern const struct rl_method rl_method_exhaustive;
 extern const struct rl_method rl_method_reference;
 
 const struct rl_method *const rl_methods[] = {
-    &rl_method_plain,
-    &rl_method_regular,
-    &rl_method_random,
-    &rl_method_reference,
+    &rl_method_plain, &rl_method_regular, &rl_method_random, &rl_method_exhaustive, &rl_method_reference,
 };
 
 const size_t rl_n_methods = sizeof rl_methods / sizeof rl_methods[0];

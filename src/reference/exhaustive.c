@@ -54,7 +54,7 @@ static struct texel texel_at(const struct rl_texel_pole *pole, int size, uint32_
     t.integral = rl_texel_integral(pole, t.face, s, u, 1.0 / size, evaluations);
     /* The weight's logarithm changes by up to 3/|y| (1/|y| of the pole, 2/|y| of D), and with G by 1/(N.V): times the sixth of an edge by
      * which the lit part's centroid may lie off, times the part itself. */
-    double y = rl_texel_distance(pole, rl_cube_direction(t.face, s, u));
+    double y = rl_texel_distance(pole, t.face, s, u);
     t.variation =
         fmin(1.0, edge / 6.0 * (3.0 / fmax(y, 0.5 * edge) + (pole->attenuation ? 1.0 / pole->v.z : 0.0)));
     return t;

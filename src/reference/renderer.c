@@ -12,6 +12,7 @@
 #include "base/clock.h"
 #include "base/machine.h"
 #include "reference/integrator.h"
+#include "reference/texel_map.h"
 #include "reference/visible.h"
 
 enum { TILE_PX = 16 };
@@ -33,13 +34,14 @@ struct job {
     struct rl_visible *visible;
     struct rl_light_set *lights;
     struct rl_point_light *point_light;
-    struct shader *shader; /* per plan material */
+    struct shader *shader;             /* per plan material */
+    struct rl_texel_map **environment; /* per object; NULL: its method needs none */
     struct rl_integrate_options options;
 };
 
 /* What one thread found; added up at the end. */
 struct tally {
-    size_t foreground, unconverged, evaluations, nonfinite;
+    size_t foreground, unconverged, evaluations, texels, nonfinite;
     double worst_error;
 };
 
@@ -61,6 +63,20 @@ static void job_clear(struct job *job)
     rl_light_set_free(job->lights);
     free(job->point_light);
     free(job->shader);
+    for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
+        rl_texel_map_free(job->environment[i]);
+    free(job->environment);
+}
+
+static int make_environments(struct job *job, struct rl_error *error)
+{
+    const struct rl_plan *plan = job->plan;
+    int status = RL_OK;
+    for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++)
+        if (plan->environment[i] >= 0)
+            status = rl_texel_map_make(&job->environment[i], job->lights, job->scene->object[i].centre,
+                                       plan->settings.env_size, error);
+    return status;
 }
 
 static int job_make(struct job *job, const struct rl_scene *scene, const struct rl_plan *plan,
@@ -75,7 +91,8 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
     };
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
     job->point_light = calloc(scene->n_lights + 1, sizeof *job->point_light);
-    if (!job->shader || !job->point_light) {
+    job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
+    if (!job->shader || !job->point_light || !job->environment) {
         job_clear(job);
         return rl_fail_memory(error, "the CPU renderer");
     }
@@ -86,6 +103,8 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
     int status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
     if (status == RL_OK)
         status = rl_visible_make(&job->visible, scene, error);
+    if (status == RL_OK)
+        status = make_environments(job, error);
     if (status != RL_OK)
         job_clear(job);
     return status;
@@ -105,6 +124,9 @@ static void add_highlight(double rgb[3], const struct job *job, const struct sha
     if (!s->integrates) {
         s->plan->method->shade(surface, job->point_light, job->scene->n_lights,
                                (double(*)[4])s->method_params, L_o);
+    } else if (job->environment[object]) {
+        tally->texels += rl_texel_map_integrate(L_o, job->environment[object], surface, &s->ellipsoid,
+                                                job->options.attenuation);
     } else {
         struct rl_surface seen = *surface;
         if (job->plan->settings.light_from == RL_LIGHT_FROM_OBJECT)
@@ -183,6 +205,7 @@ static struct tally draw_tiles(const struct job *job, int threads, const struct 
             total.foreground += mine.foreground;
             total.unconverged += mine.unconverged;
             total.evaluations += mine.evaluations;
+            total.texels += mine.texels;
             total.nonfinite += mine.nonfinite;
             total.worst_error = fmax(total.worst_error, mine.worst_error);
         }
@@ -213,6 +236,7 @@ int rl_reference_render(struct rl_image *image, struct rl_render_stats *stats, c
         .unconverged = tally.unconverged,
         .worst_error = tally.worst_error,
         .evaluations = tally.evaluations,
+        .texels = tally.texels,
         .threads = threads,
     };
     if (rl_progress_cancelled(progress))

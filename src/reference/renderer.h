@@ -1,5 +1,5 @@
 /* The CPU renderer: Embree finds the visible point of each pixel's centre, effects are evaluated in double precision, the
- * highlight by the material's method if that is one of the CPU (`plain`, `reference`), else by `reference`. OpenMP over tiles.
+ * highlight by the material's method if that is one of the CPU (`plain`, `exhaustive`, `reference`). OpenMP over tiles.
  */
 #ifndef RL_REFERENCE_RENDERER_H
 #define RL_REFERENCE_RENDERER_H
@@ -16,6 +16,7 @@ struct rl_render_stats {
     size_t unconverged; /* pixels whose error estimate stayed above the tolerance */
     double worst_error; /* largest error estimate of any pixel and channel */
     size_t evaluations; /* lines */
+    size_t texels;      /* texel-normals: texels evaluated, one shading point each */
     int threads;
 };
 

@@ -20,8 +20,14 @@ struct layer {
     float *memory; /* x, y, z and solid angle, one behind the other */
 };
 
+/* Columns [0] and rows [1] of a face, each from..to - 1. */
+struct box {
+    int from[2], to[2];
+};
+
 struct rl_texel_map {
     struct rl_cube_map cube;
+    struct box lit[RL_CUBE_FACES]; /* what encloses all listed texels of a face */
     size_t
         n_layers; /* one for each radiance of the set; those that nothing sees, and black ones, are empty */
     struct layer *layer;
@@ -63,6 +69,30 @@ static bool is_black(const double radiance[3])
     return radiance[0] == 0.0 && radiance[1] == 0.0 && radiance[2] == 0.0;
 }
 
+static void enclose(struct box *box, int x, int y)
+{
+    const int at[2] = {x, y};
+    for (int k = 0; k < 2; k++) {
+        box->from[k] = at[k] < box->from[k] ? at[k] : box->from[k];
+        box->to[k] = at[k] >= box->to[k] ? at[k] + 1 : box->to[k];
+    }
+}
+
+static void list_face(struct rl_texel_map *map, const size_t *count, int face)
+{
+    int size = map->cube.size;
+    const uint16_t *seen = map->cube.seen + (size_t)face * (size_t)size * (size_t)size;
+    map->lit[face] = (struct box){{size, size}, {0, 0}};
+    for (int y = 0; y < size; y++)
+        for (int x = 0; x < size; x++, seen++) {
+            if (*seen == 0 || count[*seen - 1] == 0)
+                continue;
+            add_texel(&map->layer[*seen - 1], count[*seen - 1], face, centre_of(x, size), centre_of(y, size),
+                      1.0 / size);
+            enclose(&map->lit[face], x, y);
+        }
+}
+
 static int list_texels(struct rl_texel_map *map, size_t *count, struct rl_error *error)
 {
     int size = map->cube.size;
@@ -74,13 +104,8 @@ static int list_texels(struct rl_texel_map *map, size_t *count, struct rl_error 
         if (is_black(map->layer[i].radiance))
             count[i] = 0;
     int status = allocate_layers(map, count, error);
-    const uint16_t *seen = map->cube.seen;
     for (int face = 0; face < RL_CUBE_FACES && status == RL_OK; face++)
-        for (int y = 0; y < size; y++)
-            for (int x = 0; x < size; x++, seen++)
-                if (*seen && count[*seen - 1] > 0)
-                    add_texel(&map->layer[*seen - 1], count[*seen - 1], face, centre_of(x, size),
-                              centre_of(y, size), 1.0 / size);
+        list_face(map, count, face);
     return status;
 }
 
@@ -153,39 +178,41 @@ struct correction {
     size_t evaluations;
 };
 
-/* A rectangle of texels on a face, divided down to the texels that are near. Its centre's |y| says of all of them whether they can
- * be: |y| of two directions differs by no more than they do. */
-static void correct(struct correction *c, int face, const int from[2], const int to[2])
+static void correct_texel(struct correction *c, int face, int x, int y)
 {
     int size = c->map->cube.size;
-    double half[2], centre[2];
-    for (int k = 0; k < 2; k++) {
-        half[k] = (double)(to[k] - from[k]) / size;
-        centre[k] = (double)(from[k] + to[k]) / size - 1.0;
-    }
-    rl_vec3 L = rl_cube_direction(face, centre[0], centre[1]);
-    double y = rl_texel_distance(c->pole, L);
-    bool texel = to[0] - from[0] == 1 && to[1] - from[1] == 1;
-    if (y >= c->pole->reach + (texel ? 0.0 : hypot(half[0], half[1])))
-        return;
-    if (!texel) {
-        int k = to[1] - from[1] > to[0] - from[0], middle = (from[k] + to[k]) / 2;
-        int end[2] = {to[0], to[1]}, start[2] = {from[0], from[1]};
-        end[k] = start[k] = middle;
-        correct(c, face, from, end);
-        correct(c, face, start, to);
-        return;
-    }
-    size_t index = ((size_t)face * (size_t)size + (size_t)from[1]) * (size_t)size + (size_t)from[0];
+    size_t index = ((size_t)face * (size_t)size + (size_t)y) * (size_t)size + (size_t)x;
     unsigned seen = c->map->cube.seen[index];
     if (seen == 0 || c->map->layer[seen - 1].list.n == 0)
         return;
-    double edge = 1.0 / size;
-    double held = rl_texel_weight(c->pole, v3_normalize(L), c->pole->reach) *
-                  rl_cube_solid_angle(centre[0], centre[1], edge);
-    double more = rl_texel_integral(c->pole, face, centre[0], centre[1], edge, &c->evaluations) - held;
+    double half = 1.0 / size, s = centre_of(x, size), t = centre_of(y, size);
+    double held = rl_texel_weight(c->pole, face, s, t) * rl_texel_solid_angle(s, t, half);
+    double more = rl_texel_integral(c->pole, face, s, t, half, &c->evaluations) - held;
     for (int k = 0; k < 3; k++)
         c->value[k] += more * c->map->layer[seen - 1].radiance[k];
+}
+
+/* A rectangle of texels on a face, divided down to the texels that are near. Its centre's |y| says of all of them whether they can
+ * be: |y| of two directions differs by no more than they do. */
+static void correct(struct correction *c, int face, struct box box)
+{
+    int size = c->map->cube.size;
+    int across = box.to[0] - box.from[0], down = box.to[1] - box.from[1];
+    bool texel = across == 1 && down == 1;
+    double s = (double)(box.from[0] + box.to[0]) / size - 1.0,
+           t = (double)(box.from[1] + box.to[1]) / size - 1.0;
+    double spread = texel ? 0.0 : sqrt((double)across * across + (double)down * down) / size;
+    if (rl_texel_distance(c->pole, face, s, t) >= c->pole->reach + spread)
+        return;
+    if (texel) {
+        correct_texel(c, face, box.from[0], box.from[1]);
+        return;
+    }
+    int k = down > across, middle = (box.from[k] + box.to[k]) / 2;
+    struct box first = box, second = box;
+    first.to[k] = second.from[k] = middle;
+    correct(c, face, first);
+    correct(c, face, second);
 }
 
 /* Near is |y| below so many edges of a texel in the mirror direction, whose largest component is what its face's outward one is. */
@@ -215,6 +242,7 @@ size_t rl_texel_map_integrate(double value[3], const struct rl_texel_map *map,
     }
     struct correction correction = {.map = map, .pole = &pole, .value = value};
     for (int face = 0; face < RL_CUBE_FACES && evaluations > 0; face++)
-        correct(&correction, face, (const int[2]){0, 0}, (const int[2]){size, size});
+        if (map->lit[face].from[0] < map->lit[face].to[0])
+            correct(&correction, face, map->lit[face]);
     return evaluations + correction.evaluations;
 }

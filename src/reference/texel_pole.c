@@ -28,38 +28,58 @@ struct rl_texel_pole rl_texel_pole_make(const struct rl_surface *surface, const 
     return pole;
 }
 
-/* M = V + L in the frame. */
-static rl_vec3 half_vector(const struct rl_texel_pole *pole, rl_vec3 L)
+/* A direction of a face, not normalised, and M = V + L in the frame, times the same length. w is homogeneous in M, of degree -1. */
+struct half_vector {
+    double length, x, y, n;
+};
+
+static struct half_vector towards(const struct rl_texel_pole *pole, int face, double s, double t)
 {
-    return v3(v3_dot(L, pole->frame.T) + pole->v.x, v3_dot(L, pole->frame.B) + pole->v.y,
-              v3_dot(L, pole->frame.N) + pole->v.z);
+    rl_vec3 L = rl_cube_direction(face, s, t);
+    double length = sqrt(1.0 + s * s + t * t);
+    return (struct half_vector){.length = length,
+                                .x = v3_dot(L, pole->frame.T) + pole->v.x * length,
+                                .y = v3_dot(L, pole->frame.B) + pole->v.y * length,
+                                .n = v3_dot(L, pole->frame.N) + pole->v.z * length};
 }
 
-/* F, with u = |y|^2. */
-static double smooth_factor(const struct rl_texel_pole *pole, double n, double u)
+/* F, with u = |y|^2; of degree 0. */
+static double smooth_factor(const struct rl_texel_pole *pole, const struct half_vector *m, double u)
 {
-    double q = u + n * n, share = q;
+    double n = m->n, n_v = pole->v.z * m->length, q = u + n * n, share = q;
     if (pole->attenuation)
-        share = fmin(q, 4.0 * n * fmax(0.0, fmin(pole->v.z, n - pole->v.z)));
+        share = fmin(q, 4.0 * n * fmax(0.0, fmin(n_v, n - n_v)));
     double below = (n * n / pole->rr + pole->rr * u) * sqrt(q);
     return below > 0.0 ? pole->scale * fabs(n) * share / below : 0.0;
 }
 
-double rl_texel_weight(const struct rl_texel_pole *pole, rl_vec3 direction, double least)
+double rl_texel_weight(const struct rl_texel_pole *pole, int face, double s, double t)
 {
-    rl_vec3 m = half_vector(pole, direction);
+    struct half_vector m = towards(pole, face, s, t);
+    double least = fmax(DBL_MIN, pole->reach * m.length);
     double u = fmax(m.x * m.x + m.y * m.y, least * least);
-    return smooth_factor(pole, m.z, u) / sqrt(u);
+    return smooth_factor(pole, &m, u) / sqrt(u) * m.length;
 }
 
-double rl_texel_distance(const struct rl_texel_pole *pole, rl_vec3 direction)
+double rl_texel_distance(const struct rl_texel_pole *pole, int face, double s, double t)
 {
-    rl_vec3 m = half_vector(pole, v3_normalize(direction));
-    return hypot(m.x, m.y);
+    struct half_vector m = towards(pole, face, s, t);
+    return sqrt(m.x * m.x + m.y * m.y) / m.length;
 }
+
+double rl_texel_solid_angle(double s, double t, double half)
+{
+    double rr = 1.0 / (1.0 + s * s + t * t);
+    return 4.0 * half * half * rr * sqrt(rr) * (1.0 + half * half * rr * (1.5 - 2.5 * rr));
+}
+
+/* A point in the plane of y. */
+struct point {
+    double x, y;
+};
 
 /* The integral of 1/|y| over the triangle (0, a, b), signed; *area grows by the triangle's. */
-static double edge_share(double *area, rl_vec3 a, rl_vec3 b)
+static double edge_share(double *area, struct point a, struct point b)
 {
     double x = b.x - a.x, y = b.y - a.y, length = hypot(x, y), cross = a.x * b.y - a.y * b.x;
     *area += 0.5 * cross;
@@ -77,37 +97,38 @@ struct square {
     double s, t, half;
 };
 
-/* M at the square's corners; whether some lie above the horizon and some below. */
-static bool find_corners(rl_vec3 m[4], const struct rl_texel_pole *pole, const struct square *q)
+/* The square's corners in the plane of y; whether some lie above the horizon and some below. */
+static bool find_corners(struct point corner[4], const struct rl_texel_pole *pole, const struct square *q)
 {
-    static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    static const double at[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     int above = 0;
     for (int i = 0; i < 4; i++) {
-        rl_vec3 L = rl_cube_direction(q->face, q->s + corner[i][0] * q->half, q->t + corner[i][1] * q->half);
-        m[i] = half_vector(pole, v3_normalize(L));
-        above += m[i].z > pole->v.z;
+        struct half_vector m = towards(pole, q->face, q->s + at[i][0] * q->half, q->t + at[i][1] * q->half);
+        corner[i] = (struct point){m.x / m.length, m.y / m.length};
+        above += m.n > pole->v.z * m.length;
     }
     return above != 0 && above != 4;
 }
 
 /* The mean of 1/|y| over a polygon of four corners. */
-static double mean_inverse(const rl_vec3 m[4])
+static double mean_inverse(const struct point corner[4])
 {
     double area = 0.0, sum = 0.0;
     for (int i = 0; i < 4; i++)
-        sum += edge_share(&area, m[i], m[(i + 1) % 4]);
+        sum += edge_share(&area, corner[i], corner[(i + 1) % 4]);
     return sum / area;
 }
 
 /* Gauss and Legendre's two points along either axis. */
 static double by_gauss(const struct rl_texel_pole *pole, const struct square *q)
 {
-    const double at = q->half / sqrt(3.0);
+    const double at = 0.57735026918962576451 * q->half;
     double sum = 0.0;
     for (int i = 0; i < 4; i++) {
-        rl_vec3 L = rl_cube_direction(q->face, q->s + (i & 1 ? at : -at), q->t + (i & 2 ? at : -at));
-        double length = v3_length(L);
-        sum += rl_texel_weight(pole, v3_scale(1.0 / length, L), DBL_MIN) / (length * length * length);
+        struct half_vector m = towards(pole, q->face, q->s + (i & 1 ? at : -at), q->t + (i & 2 ? at : -at));
+        double u = fmax(DBL_MIN, m.x * m.x + m.y * m.y);
+        /* Times length, as w is, and over its cube, the solid angle of a square of the face. */
+        sum += smooth_factor(pole, &m, u) / (sqrt(u) * m.length * m.length);
     }
     return sum * q->half * q->half;
 }
@@ -118,32 +139,30 @@ static struct square quarter(const struct square *q, int i)
     return (struct square){q->face, q->s + (i & 1 ? half : -half), q->t + (i & 2 ? half : -half), half};
 }
 
-/* F at the centre times the closed form; near a fold F over a distance that keeps it finite. */
+/* F at the centre times the closed form; at a fold, times 1/|y| held finite. */
 static double by_centre(const struct rl_texel_pole *pole, const struct square *q)
 {
-    rl_vec3 corner[4], L = rl_cube_direction(q->face, q->s, q->t);
-    double length = v3_length(L);
-    rl_vec3 m = half_vector(pole, v3_scale(1.0 / length, L));
-    double y = hypot(m.x, m.y);
+    struct half_vector m = towards(pole, q->face, q->s, q->t);
+    struct point corner[4];
+    double u = m.x * m.x + m.y * m.y, edge = 2.0 * q->half / m.length;
     bool folded = find_corners(corner, pole, q);
-    double inverse = folded ? 1.0 / fmax(y, 0.5 * q->half / length) : mean_inverse(corner);
-    return smooth_factor(pole, m.z, y * y) * inverse * rl_cube_solid_angle(q->s, q->t, q->half);
+    double inverse = folded ? 1.0 / fmax(sqrt(u) / m.length, 0.25 * edge) : mean_inverse(corner);
+    return smooth_factor(pole, &m, u) * inverse * rl_texel_solid_angle(q->s, q->t, q->half);
 }
 
 static double square_integral(const struct rl_texel_pole *pole, const struct square *q, int depth,
                               size_t *evaluations)
 {
-    rl_vec3 corner[4], L = rl_cube_direction(q->face, q->s, q->t);
-    double length = v3_length(L), edge = 2.0 * q->half / length;
-    rl_vec3 m = half_vector(pole, v3_scale(1.0 / length, L));
-    double y = hypot(m.x, m.y), sum = 0.0;
+    struct half_vector m = towards(pole, q->face, q->s, q->t);
+    double y = sqrt(m.x * m.x + m.y * m.y), edge = 2.0 * q->half, sum = 0.0;
     if (y >= AWAY_EDGES * edge) {
         *evaluations += 4;
         return by_gauss(pole, q);
     }
+    struct point corner[4];
     bool folded = find_corners(corner, pole, q);
-    bool fine = !folded && FINE * fmax(y, fabs(m.z) / pole->rr) >= edge;
-    int deepest = folded ? DEEPEST_FOLDED : m.z < pole->v.z ? DEEPEST_BEHIND : DEEPEST;
+    bool fine = !folded && FINE * fmax(y, fabs(m.n) / pole->rr) >= edge;
+    int deepest = folded ? DEEPEST_FOLDED : m.n < pole->v.z * m.length ? DEEPEST_BEHIND : DEEPEST;
     bool divide = !fine && depth < deepest;
     for (int i = 0; i < 4; i++) {
         struct square part = quarter(q, i);

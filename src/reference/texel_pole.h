@@ -29,11 +29,16 @@ struct rl_texel_pole {
 struct rl_texel_pole rl_texel_pole_make(const struct rl_surface *surface, const struct rl_ellipsoid *e,
                                         bool attenuation, double reach);
 
-/* w at a unit direction, |y| held at `least` or more. */
-double rl_texel_weight(const struct rl_texel_pole *pole, rl_vec3 direction, double least);
+/* Directions are places (s, t) on a face of a cube map. */
 
-/* |y| of a direction of any length. */
-double rl_texel_distance(const struct rl_texel_pole *pole, rl_vec3 direction);
+/* w, |y| held at the reach or more. */
+double rl_texel_weight(const struct rl_texel_pole *pole, int face, double s, double t);
+
+double rl_texel_distance(const struct rl_texel_pole *pole, int face, double s, double t); /* |y| */
+
+/* The solid angle of the square s +- half, t +- half by its Taylor series at the centre, good to half^4: quicker than
+ * rl_cube_solid_angle. */
+double rl_texel_solid_angle(double s, double t, double half);
 
 /* The integral of w over the square s +- half, t +- half of a face; *evaluations grows by the squares looked at. */
 double rl_texel_integral(const struct rl_texel_pole *pole, int face, double s, double t, double half,

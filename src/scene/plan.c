@@ -222,6 +222,20 @@ static bool plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
     return !plan->on_cpu || on_gpu == 0;
 }
 
+/* RL_ERR_INPUT: a method that takes no other frame than the orthonormal one is asked for another. */
+static int check_frame(const struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
+{
+    enum rl_frame_kind frame = plan->settings.frame;
+    for (size_t i = 0; i < plan->n_materials && frame != RL_FRAME_ORTHONORMAL; i++) {
+        const struct rl_method *method = plan->material[i].method;
+        if (method && method->orthonormal_only)
+            return rl_fail(error, RL_ERR_INPUT, "%s: the method %s with the frame %s, expected the frame %s",
+                           scene->path, method->name, rl_frame_name(frame),
+                           rl_frame_name(RL_FRAME_ORTHONORMAL));
+    }
+    return RL_OK;
+}
+
 /* The name of the first method that runs on the GPU (or on the CPU) alone. */
 static const char *method_only(const struct rl_plan *plan, bool on_gpu)
 {
@@ -237,10 +251,10 @@ static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene
 {
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        bool needed = m->method && m->highlight_program >= 0 && m->method->needs_environment;
+        bool needed = m->method && m->method->needs_environment;
         plan->environment[i] = needed ? (int)plan->n_environments++ : -1;
     }
-    plan->environment_program = plan->n_environments > 0 ? environment_program(plan) : -1;
+    plan->environment_program = plan->n_environments > 0 && !plan->on_cpu ? environment_program(plan) : -1;
 }
 
 static int allocate(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
@@ -276,6 +290,11 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
                          "for all materials; "
                          "--method makes them one",
                          scene->path, method_only(plan, false), method_only(plan, true));
+        rl_plan_clear(plan);
+        return status;
+    }
+    status = check_frame(plan, scene, error);
+    if (status != RL_OK) {
         rl_plan_clear(plan);
         return status;
     }

@@ -64,12 +64,13 @@ struct rl_plan {
     struct rl_plan_pattern *pattern;
     size_t n_environments;   /* cube maps */
     int *environment;        /* per object: its cube map's index, or -1 */
-    int environment_program; /* index or -1 */
+    int environment_program; /* index or -1; on the CPU none is needed */
     /* The lights' brightest component, 1 if all are dark: unsigned texels hold radiance divided by it. */
     float radiance_scale;
 };
 
-/* RL_ERR_INPUT: settings out of range, or materials whose methods share neither the CPU nor the GPU. */
+/* RL_ERR_INPUT: settings out of range, a frame that a method does not take, or materials whose methods
+ * share neither the CPU nor the GPU. */
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
                  struct rl_error *error);
 void rl_plan_clear(struct rl_plan *plan);

@@ -83,7 +83,7 @@ int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, cons
                     struct rl_error *error);
 int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what, struct rl_error *error);
 
-/* "plain, regular, random or reference": what a message says was expected. */
+/* "plain, regular, random, exhaustive or reference": what a message says was expected. */
 void rl_method_names(char text[], size_t size);
 
 /* "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f" or "rgba32f". */

@@ -13,7 +13,7 @@
 static void test_find(void **state)
 {
     (void)state;
-    static const char *const names[] = {"plain", "regular", "random", "reference"};
+    static const char *const names[] = {"plain", "regular", "random", "exhaustive", "reference"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         const struct rl_method *m = rl_method_find(names[i]);
         assert_non_null(m);
@@ -27,7 +27,7 @@ static void test_find(void **state)
 static void test_descriptors(void **state)
 {
     (void)state;
-    assert_true(rl_n_methods >= 4);
+    assert_true(rl_n_methods >= 5);
     for (size_t i = 0; i < rl_n_methods; i++) {
         const struct rl_method *m = rl_methods[i];
         print_message("%s: %s\n", m->name, m->summary);

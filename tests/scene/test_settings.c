@@ -31,7 +31,7 @@ static void test_ranges(void **state)
     struct rl_settings s;
     check_ok(WITH(method, "regular"), &error);
     check_fails(WITH(method, "Regular"), &error, RL_ERR_INPUT,
-                "--method: found 'Regular', expected plain, regular, random or");
+                "--method: found 'Regular', expected plain, regular, random, exhaustive or");
     check_ok(WITH(samples, 0), &error);
     check_ok(WITH(samples, 1024), &error);
     check_fails(WITH(samples, -1), &error, RL_ERR_INPUT, "--samples: found -1, expected 1 to 1024");
