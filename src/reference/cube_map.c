@@ -35,20 +35,21 @@ rl_vec3 rl_cube_on_face(int face, rl_vec3 v)
     return v3(along(axes[face][0], v), along(axes[face][1], v), along(axes[face][2], v));
 }
 
-/* Half the tangent's quotient for the triangle of three corners, twice whose area on the face is `doubled`. */
-static double triangle_solid_angle(rl_vec3 a, rl_vec3 b, rl_vec3 c, double doubled)
+/* tan(solid angle/2) of the triangle of corners a, b, c of lengths la, lb, lc, over twice its area on the face. */
+static double half_tangent(rl_vec3 a, double la, rl_vec3 b, double lb, rl_vec3 c, double lc)
 {
-    double la = v3_length(a), lb = v3_length(b), lc = v3_length(c);
-    double below = la * lb * lc + v3_dot(a, b) * lc + v3_dot(b, c) * la + v3_dot(c, a) * lb;
-    return 2.0 * atan2(doubled, below);
+    return 1.0 / (la * lb * lc + v3_dot(a, b) * lc + v3_dot(b, c) * la + v3_dot(c, a) * lb);
 }
 
 double rl_cube_solid_angle(double s, double t, double half)
 {
     rl_vec3 a = v3(s - half, t - half, 1.0), b = v3(s + half, t - half, 1.0);
     rl_vec3 c = v3(s + half, t + half, 1.0), d = v3(s - half, t + half, 1.0);
+    double la = v3_length(a), lb = v3_length(b), lc = v3_length(c), ld = v3_length(d);
     double doubled = 4.0 * half * half;
-    return triangle_solid_angle(a, b, c, doubled) + triangle_solid_angle(a, c, d, doubled);
+    double one = doubled * half_tangent(a, la, b, lb, c, lc),
+           two = doubled * half_tangent(a, la, c, lc, d, ld);
+    return 2.0 * atan((one + two) / (1.0 - one * two));
 }
 
 /* A place where a polygon's outline passes through a row's plane. */
@@ -62,10 +63,11 @@ struct face {
     int number, size;
     rl_vec3 *vertex; /* of the polygon being drawn, on the face's axes */
     struct pass *pass;
-    double *
-        nearest; /* 1/distance along each texel's direction, of what is seen so far; NULL: all is one radiance */
-    uint16_t *seen;   /* of this face */
-    rl_vec3 nearness; /* of the polygon: 1/distance in direction (s, t, 1) is nearness.(s, t, 1) */
+    /* 1/distance along each texel's direction, of what is seen so far; NULL: all is one radiance. */
+    double *nearest;
+    struct rl_cube_box *lit; /* of this face */
+    uint16_t *seen;          /* of this face */
+    rl_vec3 nearness;        /* of the polygon: 1/distance in direction (s, t, 1) is nearness.(s, t, 1) */
     uint16_t radiance;
 };
 
@@ -104,6 +106,14 @@ static double project(const struct pass *end, const struct pass *other)
     return copysign(INFINITY, end->s * other->w - other->s * end->w);
 }
 
+static void enclose(struct rl_cube_box *box, int first, int end, int row)
+{
+    box->from[0] = first < box->from[0] ? first : box->from[0];
+    box->to[0] = end > box->to[0] ? end : box->to[0];
+    box->from[1] = row < box->from[1] ? row : box->from[1];
+    box->to[1] = row >= box->to[1] ? row + 1 : box->to[1];
+}
+
 static void fill_stretch(const struct face *f, int row, double t, const struct pass *a, const struct pass *b)
 {
     if (!(a->w > 0.0) && !(b->w > 0.0))
@@ -111,6 +121,8 @@ static void fill_stretch(const struct face *f, int row, double t, const struct p
     double from = project(a, b), to = project(b, a);
     int first = texel_from(f, fmin(from, to)), end = texel_from(f, fmax(from, to));
     size_t start = (size_t)row * (size_t)f->size;
+    if (first < end)
+        enclose(f->lit, first, end, row);
     for (int x = first; x < end; x++) {
         size_t i = start + (size_t)x;
         if (f->nearest) {
@@ -198,6 +210,8 @@ int rl_cube_map_make(struct rl_cube_map *map, const struct rl_light_set *set, rl
     bool ready = map->seen && f.vertex && f.pass && (f.nearest || set->n_radiances <= 1);
     for (f.number = 0; f.number < RL_CUBE_FACES && ready; f.number++) {
         f.seen = map->seen + (size_t)f.number * texels;
+        f.lit = &map->lit[f.number];
+        *f.lit = (struct rl_cube_box){{size, size}, {0, 0}};
         for (size_t i = 0; i < texels && f.nearest; i++)
             f.nearest[i] = 0.0;
         draw_face(&f, set, from);

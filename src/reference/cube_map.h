@@ -14,9 +14,15 @@
 
 enum { RL_CUBE_FACES = 6 };
 
+/* Columns [0] and rows [1] of a face, each from..to - 1; from >= to: none. */
+struct rl_cube_box {
+    int from[2], to[2];
+};
+
 struct rl_cube_map {
     int size;       /* texels along a face's edge */
     uint16_t *seen; /* 6 x size x size, face by face, row by row: 1 + index of the radiance, 0: no light */
+    struct rl_cube_box lit[RL_CUBE_FACES]; /* what encloses the texels that see a light */
 };
 
 /* RL_ERR_INPUT: more than 65534 radiances. size >= 1. */

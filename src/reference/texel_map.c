@@ -20,14 +20,8 @@ struct layer {
     float *memory; /* x, y, z and solid angle, one behind the other */
 };
 
-/* Columns [0] and rows [1] of a face, each from..to - 1. */
-struct box {
-    int from[2], to[2];
-};
-
 struct rl_texel_map {
     struct rl_cube_map cube;
-    struct box lit[RL_CUBE_FACES]; /* what encloses all listed texels of a face */
     size_t
         n_layers; /* one for each radiance of the set; those that nothing sees, and black ones, are empty */
     struct layer *layer;
@@ -69,43 +63,36 @@ static bool is_black(const double radiance[3])
     return radiance[0] == 0.0 && radiance[1] == 0.0 && radiance[2] == 0.0;
 }
 
-static void enclose(struct box *box, int x, int y)
-{
-    const int at[2] = {x, y};
-    for (int k = 0; k < 2; k++) {
-        box->from[k] = at[k] < box->from[k] ? at[k] : box->from[k];
-        box->to[k] = at[k] >= box->to[k] ? at[k] + 1 : box->to[k];
-    }
-}
-
-static void list_face(struct rl_texel_map *map, const size_t *count, int face)
+/* Counts the texels of each layer, or lists them where there is room. */
+static void visit_texels(struct rl_texel_map *map, size_t *count, bool list)
 {
     int size = map->cube.size;
-    const uint16_t *seen = map->cube.seen + (size_t)face * (size_t)size * (size_t)size;
-    map->lit[face] = (struct box){{size, size}, {0, 0}};
-    for (int y = 0; y < size; y++)
-        for (int x = 0; x < size; x++, seen++) {
-            if (*seen == 0 || count[*seen - 1] == 0)
-                continue;
-            add_texel(&map->layer[*seen - 1], count[*seen - 1], face, centre_of(x, size), centre_of(y, size),
-                      1.0 / size);
-            enclose(&map->lit[face], x, y);
+    for (int face = 0; face < RL_CUBE_FACES; face++) {
+        struct rl_cube_box box = map->cube.lit[face];
+        for (int y = box.from[1]; y < box.to[1]; y++) {
+            const uint16_t *row = map->cube.seen + ((size_t)face * (size_t)size + (size_t)y) * (size_t)size;
+            for (int x = box.from[0]; x < box.to[0]; x++) {
+                size_t layer = (size_t)row[x] - 1;
+                if (row[x] == 0)
+                    continue;
+                if (!list)
+                    count[layer]++;
+                else if (count[layer] > 0)
+                    add_texel(&map->layer[layer], count[layer], face, centre_of(x, size), centre_of(y, size), 1.0 / size);
+            }
         }
+    }
 }
 
 static int list_texels(struct rl_texel_map *map, size_t *count, struct rl_error *error)
 {
-    int size = map->cube.size;
-    size_t texels = RL_CUBE_FACES * (size_t)size * (size_t)size;
-    for (size_t i = 0; i < texels; i++)
-        if (map->cube.seen[i])
-            count[map->cube.seen[i] - 1]++;
+    visit_texels(map, count, false);
     for (size_t i = 0; i < map->n_layers; i++)
         if (is_black(map->layer[i].radiance))
             count[i] = 0;
     int status = allocate_layers(map, count, error);
-    for (int face = 0; face < RL_CUBE_FACES && status == RL_OK; face++)
-        list_face(map, count, face);
+    if (status == RL_OK)
+        visit_texels(map, count, true);
     return status;
 }
 
@@ -194,7 +181,7 @@ static void correct_texel(struct correction *c, int face, int x, int y)
 
 /* A rectangle of texels on a face, divided down to the texels that are near. Its centre's |y| says of all of them whether they can
  * be: |y| of two directions differs by no more than they do. */
-static void correct(struct correction *c, int face, struct box box)
+static void correct(struct correction *c, int face, struct rl_cube_box box)
 {
     int size = c->map->cube.size;
     int across = box.to[0] - box.from[0], down = box.to[1] - box.from[1];
@@ -209,7 +196,7 @@ static void correct(struct correction *c, int face, struct box box)
         return;
     }
     int k = down > across, middle = (box.from[k] + box.to[k]) / 2;
-    struct box first = box, second = box;
+    struct rl_cube_box first = box, second = box;
     first.to[k] = second.from[k] = middle;
     correct(c, face, first);
     correct(c, face, second);
@@ -242,7 +229,7 @@ size_t rl_texel_map_integrate(double value[3], const struct rl_texel_map *map,
     }
     struct correction correction = {.map = map, .pole = &pole, .value = value};
     for (int face = 0; face < RL_CUBE_FACES && evaluations > 0; face++)
-        if (map->lit[face].from[0] < map->lit[face].to[0])
-            correct(&correction, face, map->lit[face]);
+        if (map->cube.lit[face].from[0] < map->cube.lit[face].to[0])
+            correct(&correction, face, map->cube.lit[face]);
     return evaluations + correction.evaluations;
 }

@@ -8,14 +8,17 @@
  *
  * w has two poles, which integrate to something finite: the mirror direction (sin delta = 0) and L = -V (V.H = 0; below the horizon,
  * where G = 0). At both the tangential part y of V + L vanishes, and w is 1/|y| times something smooth. Texels nearer than
- * |y| = 4 texels therefore get their integral instead of their centre's value: the smooth factor at the centre, times d omega, times
+ * |y| = 8 texels therefore get their integral instead of their centre's value: the smooth factor at the centre, times d omega, times
  * the mean of 1/|y| over the texel's image in the plane of y, a closed form; they are divided first where the lobe of D is narrower than
  * they are.
  *
- * What is left is the map's: texels are lit or not as their centres are. h = 2/size being their edge, the error of L_o falls as
- * h^(3/2) for light edges across the grid (the texels' errors are as random signs, N ~ 1/h of them of size h^2 each), as h
- * for edges along the grid, which err all to one side; h^2 from the curvature of w, but h near a pole, since the texels' errors
- * h^2 w''/24 there, each times h^2, with w'' ~ 1/y^3, add up to 1/(4 h) h^2 from |y| = 4 h on.
+ * What is left is the map's: texels are lit or not as their centres are. h = 2/size being their edge, the error of L_o falls
+ *
+ *   as h^(3/2) for light edges across the grid, in the mean square over where and how they lie: the errors of N ~ 1/h texels, h^2
+ *              each, add up as if their signs were drawn by lot (Kendall 1948 for ovals);
+ *   as h       for edges along the grid, which err all to one side;
+ *   as h^2     from the curvature of w, but as h from the texels about a pole: w'' ~ 1/|y|^3, and the sum of h^2 w''/24 over all that lies
+ *              farther than 8 h is as h.
  */
 #ifndef RL_REFERENCE_TEXEL_MAP_H
 #define RL_REFERENCE_TEXEL_MAP_H

@@ -7,7 +7,7 @@
 /* How large a square may be. Where it lies this many of its edges away, w itself is smooth, and four Gauss points integrate it to 1e-3
  * of its share; nearer, F must be smooth, which it is over this part of the distance in which it varies. */
 #define AWAY_EDGES 2.0
-#define FINE 0.5
+#define FINE 0.25
 
 /* Divisions at most: at the mirror direction as many as R_r = 1e12 needs; at L = -V, where no square is fine, until what is left weighs
  * 2^-8 of the texel; on the horizon, where the image folds over and squares along a whole line are divided, few. */
