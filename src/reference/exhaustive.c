@@ -189,5 +189,6 @@ const struct rl_integrator rl_integrator_exhaustive = {
     .evaluation = "texels",
     .error = "bounds the true error: edges as their texels' coverage says, the rest from maps of half and a "
              "quarter of the size",
+    .uses = RL_USES_ENV_SIZE,
     .integrate = integrate,
 };
