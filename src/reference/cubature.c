@@ -31,6 +31,8 @@ enum { EVALUATIONS_MOST = 5000000, RULE = 17, FIRST_EVALUATIONS = 5 * RULE, DEEP
 /* Turn of the normal across a box, in units of its distance from N and the width of D; and about N or the box's apex, in radians. */
 #define COARSEST 0.35
 #define WIDEST 0.7
+/* How much near(s) may change along a box. */
+#define STEEPEST 0.3
 /* What the rule makes of a kink, as part of the integrand's variation from it times the box's size. */
 #define KINK 0.01
 
@@ -169,13 +171,15 @@ static void look_for_kinks(const struct task *task, struct box *box, struct spot
     box->kink = KINK * varies * weight * (box->s1 - box->s0) * (box->t1 - box->t0);
 }
 
-/* The angle that the box takes up at its apex. */
-static double angle_at_apex(const struct box *box)
+/* Whether a box takes up too much of a turn about its apex, or its inner border runs too far along it. An edge that passes close by
+ * the apex takes up nearly half a turn, most of it in a small part of s, and so does the fall of near(s) behind it. */
+static bool lopsided(const struct box *box)
 {
     struct rl_point2 from = box->cell->from, to = box->cell->to;
     double ax = from.x + box->s0 * (to.x - from.x), ay = from.y + box->s0 * (to.y - from.y);
     double bx = from.x + box->s1 * (to.x - from.x), by = from.y + box->s1 * (to.y - from.y);
-    return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by));
+    return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by)) > WIDEST ||
+           fabs(rl_area_near(box->cell, box->s0) - rl_area_near(box->cell, box->s1)) > STEEPEST;
 }
 
 /* Looks at a few spots of the box: where its kinks are, and whether the normal turns by more across it than step 2 allows; if so,
@@ -200,10 +204,9 @@ static bool look(const struct task *task, struct box *box, bool *along_s)
     for (int i = 0; i < LOOKS; i++)
         turn_t = fmax(turn_t, apart(spot[i][0].H, spot[i][1].H) + apart(spot[i][1].H, spot[i][2].H));
     look_for_kinks(task, box, spot);
-    /* An edge that passes close by the apex takes up nearly half a turn, most of it in a small part of s. */
-    *along_s = turn_about > WIDEST || angle_at_apex(box) > WIDEST || turn_s > turn_t;
-    return turn_about > WIDEST || angle_at_apex(box) > WIDEST ||
-           fmax(turn_s, turn_t) > COARSEST * (nearest + task->stretch / task->e->rr);
+    bool wide = turn_about > WIDEST || lopsided(box);
+    *along_s = wide || turn_s > turn_t;
+    return wide || fmax(turn_s, turn_t) > COARSEST * (nearest + task->stretch / task->e->rr);
 }
 
 static void halve(struct box half[2], const struct box *box, bool along_s)
