@@ -10,8 +10,9 @@
 #include "reference/integrators.h"
 #include "reference/square.h"
 
-/* RULE: points of hcubature's rule in two dimensions. It takes two more rules at a time until it is past its limit. */
-enum { EVALUATIONS_MOST = 5000000, RULE = 17 };
+#define EVALUATIONS_MOST ((size_t)5000000)
+/* Points of hcubature's rule in two dimensions. It takes two more rules at a time until it is past its limit. */
+#define RULE ((size_t)17)
 
 struct count {
     const struct rl_square *square;

@@ -48,7 +48,7 @@ struct machine {
 static void iterate(double *value, double *error, struct channel *channel, struct machine *machine, int stage,
                     double calls)
 {
-    gsl_monte_function f = {.f = integrand_at, .dim = 2, .params = channel};
+    gsl_monte_function f = {integrand_at, 2, channel};
     double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
     machine->state->stage = stage;
     gsl_monte_vegas_integrate(&f, low, high, 2, (size_t)calls, machine->rng, machine->state, value, error);

@@ -122,17 +122,20 @@ static void test_cubature_poles(void **state)
         const struct rl_surface s = {v3(0.1, -0.2, 0.3), v3(0, 0, 1), v3_normalize(views[i])};
         struct rl_estimate r =
             ask("cubature", &s, 3.0, all, &(struct rl_integrate_options){.tolerance = 1e-8});
-        print_message("furnace off by %.1e, stated %.1e, %zu points\n", r.value[0] - 1.0, r.error[0], r.evaluations);
+        print_message("furnace off by %.1e, stated %.1e, %zu points\n", r.value[0] - 1.0, r.error[0],
+                      r.evaluations);
         check_near(r.value[0], 1.0, r.error[0]);
         assert_true(r.converged && r.evaluations < 1000000);
     }
     rl_light_set_free(all);
-    for (double gap = 1e-1; gap > 1e-9; gap *= 0.1)
+    for (int digits = 1; digits <= 9; digits++)
         for (int side = -1; side <= 1; side += 2) {
+            double gap = pow(0.1, digits);
             const struct shape edge = {4,
                                        {{side * gap, -1, 2}, {1, -1.3, 2}, {1, 1.1, 2}, {side * gap, 1, 2}}};
             struct rl_light_set *set = set_of(&edge, 1);
-            for (double tolerance = 1e-2; tolerance > 1e-8; tolerance *= 0.1) {
+            for (int wanted = 2; wanted <= 8; wanted++) {
+                double tolerance = pow(0.1, wanted);
                 struct rl_estimate truth = integrate(&overhead, 20.0, set, true, 1e-11);
                 struct rl_estimate r =
                     ask("cubature", &overhead, 20.0, set,
@@ -273,6 +276,24 @@ static void test_cubature_extremes(void **state)
     rl_light_set_free(set);
 }
 
+/* P close to the light's plane, below the light: all directions are in a small part of its area. */
+static void test_cubature_close(void **state)
+{
+    (void)state;
+    for (int digits = 1; digits <= 8; digits++) {
+        double h = pow(0.1, digits);
+        const struct shape close = {4, {{-0.3, -0.5, h}, {1, -0.4, h}, {1, 1, h}, {-0.2, 1, h}}};
+        const struct rl_surface s = {v3(0.1, 0.2, 0.0), v3(0, 0, 1), v3_normalize(v3(0.4, -0.3, 1.0))};
+        struct rl_light_set *set = set_of(&close, 1);
+        struct rl_estimate truth = integrate(&s, 3.0, set, true, 1e-10);
+        struct rl_estimate r = ask("cubature", &s, 3.0, set,
+                                   &(struct rl_integrate_options){.attenuation = true, .tolerance = 1e-5});
+        check_near(r.value[0], truth.value[0], r.error[0] + truth.error[0]);
+        assert_true(r.converged && r.value[0] > 0.2);
+        rl_light_set_free(set);
+    }
+}
+
 /* The reason why cubature-uv is no ground truth: it may miss a light and be sure of it. */
 static void test_cubature_uv_is_fooled(void **state)
 {
@@ -287,11 +308,17 @@ static void test_cubature_uv_is_fooled(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),           cmocka_unit_test(test_all_agree),
-        cmocka_unit_test(test_no_variance),     cmocka_unit_test(test_rare_hits),
-        cmocka_unit_test(test_seeds),           cmocka_unit_test(test_few_points),
-        cmocka_unit_test(test_cubature_hidden), cmocka_unit_test(test_cubature_extremes),
-        cmocka_unit_test(test_cubature_poles),  cmocka_unit_test(test_cubature_uv_is_fooled),
+        cmocka_unit_test(test_table),
+        cmocka_unit_test(test_all_agree),
+        cmocka_unit_test(test_no_variance),
+        cmocka_unit_test(test_rare_hits),
+        cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_few_points),
+        cmocka_unit_test(test_cubature_hidden),
+        cmocka_unit_test(test_cubature_extremes),
+        cmocka_unit_test(test_cubature_poles),
+        cmocka_unit_test(test_cubature_close),
+        cmocka_unit_test(test_cubature_uv_is_fooled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
