@@ -64,7 +64,7 @@ static void integrate_boxes(struct task *task, double tolerance, size_t most)
     }
     for (size_t i = 0; i < task->boxes.n && !task->boxes.failed; i++) {
         struct rl_box *box = &task->boxes.box[i];
-        if (box->done || task->evaluations >= most)
+        if (box->done || left == 0 || task->evaluations >= most)
             continue;
         size_t evaluations = (most - task->evaluations) / left;
         if (evaluations > 2 * FIRST_EVALUATIONS)
