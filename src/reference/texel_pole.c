@@ -81,15 +81,17 @@ struct point {
 /* The integral of 1/|y| over the triangle (0, a, b), signed; *area grows by the triangle's. */
 static double edge_share(double *area, struct point a, struct point b)
 {
-    double x = b.x - a.x, y = b.y - a.y, length = hypot(x, y), cross = a.x * b.y - a.y * b.x;
+    double x = b.x - a.x, y = b.y - a.y, length = sqrt(x * x + y * y), cross = a.x * b.y - a.y * b.x;
     *area += 0.5 * cross;
-    if (!(fabs(cross) > 0.0))
+    /* d log(1/d) vanishes with d; here it is below all rounding, and d^2 is not yet 0. */
+    if (!(fabs(cross) > 1e-60 * length))
         return 0.0;
-    double from = (a.x * x + a.y * y) / length, to = (b.x * x + b.y * y) / length;
-    double la = hypot(a.x, a.y), lb = hypot(b.x, b.y);
-    /* asinh(e/d) = log((e + |y|)/d), or from the other end where e < 0. */
-    double swept = from + to >= 0.0 ? log((to + lb) / (from + la)) : log((la - from) / (lb - to));
-    return cross / length * swept;
+    double from = (a.x * x + a.y * y) / length, to = (b.x * x + b.y * y) / length, d = cross / length;
+    double la = sqrt(a.x * a.x + a.y * a.y), lb = sqrt(b.x * b.x + b.y * b.y);
+    /* asinh(e/d) = log((e + |y|)/d), and e + |y| = d^2/(|y| - e) where e < 0. */
+    double above = to >= 0.0 ? to + lb : d * d / (lb - to);
+    double below = from >= 0.0 ? from + la : d * d / (la - from);
+    return d * log(above / below);
 }
 
 struct square {

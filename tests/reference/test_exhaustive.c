@@ -104,6 +104,15 @@ static void test_poles(void **state)
                 if (k >= 3)
                     check_near(map_value(&s, ratios[k], set, true, size), 1.0, 4e-3);
             }
+    /* On a line between texels, or as good as. */
+    struct dice d = dice_make(84);
+    for (int i = 0; i < 400; i++) {
+        static const double beside[] = {0.0, 1e-300, 1e-100, 1e-40, 1e-20, 1e-18, 1e-17, 1e-16, 1e-13, 1e-10};
+        double tiny = beside[(size_t)i % LENGTH(beside)];
+        const struct rl_surface s = {.N = v3(0, 0, 1),
+                                     .V = v3_normalize(v3(tiny, uniform(&d, -2.0, 2.0), 1.0))};
+        check_near(map_value(&s, pow(10.0, uniform(&d, 0.0, 4.0)), set, false, 8), 1.0, 4e-3);
+    }
     rl_light_set_free(set);
     /* Beside the mirror direction there is nothing to see. */
     const struct shape aside = {4, {{1, -1, 1}, {2, -1, 1}, {2, 1, 1}, {1, 1, 1}}};
