@@ -73,13 +73,13 @@ SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -
 SHIM_SANITIZER := $(if $(SANITIZE),-fno-sanitize=vptr$(if $(findstring clang,$(CXX)),$(comma)function))
 COMMON := -fno-math-errno -ffp-contract=off $(WARNINGS) $(SANITIZER)
 CFLAGS ?= -O2 -g
+CXXFLAGS ?= $(CFLAGS)
 # Inner loops are compiled once per instruction set and chosen when the program runs (src/base/simd.h): NAME_avx2.c and
 # NAME_avx512.c get these flags. Elsewhere than on x86-64 they are plain C, and nothing calls them.
 ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
 AVX2_FLAGS := -mavx2 -mfma
 AVX512_FLAGS := -mavx512f -mavx512dq -mavx512bw -mavx512vl -mfma -mprefer-vector-width=512
 endif
-CXXFLAGS ?= $(CFLAGS)
 # Recursive: LIB_CFLAGS and the like come from packages.mk, below.
 C_FLAGS = -std=c17 -D_GNU_SOURCE -Isrc -I. -I$(BUILD) $(LIB_CFLAGS) $(CPPFLAGS) \
 	-fopenmp $(COMMON) $(C_WARNINGS) $(CFLAGS)

@@ -77,7 +77,8 @@ static int draw_on_cpu(struct drawing *d, const struct rl_scene *scene, const st
     if (stats.evaluations > 0)
         fprintf(stderr, ", %zu lines, largest error estimate %.2g", stats.evaluations, stats.worst_error);
     if (stats.texels > 0)
-        fprintf(stderr, ", %.3g texel-normals (%s)", (double)stats.texels, rl_simd_name(rl_simd_best()));
+        fprintf(stderr, ", %.3g texel-normals, %.3g a second (%s)", (double)stats.texels,
+                (double)stats.texels / stats.seconds, rl_simd_name(rl_simd_best()));
     fputc('\n', stderr);
     if (stats.unconverged > 0)
         fprintf(stderr, "render: warning: %zu pixels stayed above the tolerance\n", stats.unconverged);

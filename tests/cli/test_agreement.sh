@@ -48,4 +48,29 @@ agrees "regular 512 comes near" 0.0005 0.008 1e-3
 render "$tmp/a.exr" --method regular --samples 13
 agrees "regular 13 does not" 0.02 0.2 0.02
 
+# exhaustive has no noise and sees from the object's centre too: what is left is its texels, which are fewer the larger the map.
+for options in "" "--rr 1" "--rr 300" "--attenuation off"; do
+    # shellcheck disable=SC2086
+    render "$tmp/r.exr" --method reference --light-from object $options
+    # shellcheck disable=SC2086
+    render "$tmp/a.exr" --method exhaustive --env-size 512 $options
+    agrees "exhaustive 512 is the reference seen from the object's centre: ${options:-defaults}" 0 1.5e-3 5e-5
+done
+render "$tmp/r.exr" --method reference --light-from object
+render "$tmp/a.exr" --method exhaustive --env-size 16
+agrees "exhaustive 16 is not" 2e-3 0.1 0.02
+for simd in plain avx2; do
+    render "$tmp/r.exr" --method exhaustive --env-size 64
+    ROUGHLIGHT_SIMD=$simd
+    export ROUGHLIGHT_SIMD
+    if "$rl" info >"$tmp/info" 2>"$tmp/err"; then
+        render "$tmp/a.exr" --method exhaustive --env-size 64
+        agrees "exhaustive is the same in $simd" 0 1e-6 1e-6
+    else
+        n=$((n + 1))
+        echo "ok - exhaustive is the same in $simd # SKIP $(cat "$tmp/err")"
+    fi
+    unset ROUGHLIGHT_SIMD
+done
+
 echo "1..$n"

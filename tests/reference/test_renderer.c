@@ -152,6 +152,45 @@ static void test_pixels(void **state)
     world_clear(&w);
 }
 
+/* Every pixel by every texel: the same whatever the threads, near to the reference that sees the light from the object's centre, and
+ * not near to the one that sees it from the pixel's own point. */
+static void test_exhaustive(void **state)
+{
+    (void)state;
+    struct rl_image image[4];
+    struct rl_render_stats stats[4];
+    static const struct {
+        const char *method;
+        enum rl_light_from from;
+        int threads;
+    } rows[4] = {{"exhaustive", RL_LIGHT_FROM_POINT, 1},
+                 {"exhaustive", RL_LIGHT_FROM_OBJECT, 3},
+                 {"reference", RL_LIGHT_FROM_OBJECT, 2},
+                 {"reference", RL_LIGHT_FROM_POINT, 2}};
+    for (int i = 0; i < 4; i++) {
+        struct world w;
+        world_make(&w, rows[i].method);
+        add_square(&w.scene, 0.0f, true, 1.0f, 0);
+        w.settings.light_from = rows[i].from;
+        w.settings.env_size = 400;
+        world_plan(&w);
+        render(&image[i], &stats[i], &w, rows[i].threads);
+        world_clear(&w);
+    }
+    assert_memory_equal(image[0].data, image[1].data, sizeof(float) * 4 * WIDTH * HEIGHT);
+    assert_true(stats[0].texels == stats[1].texels && stats[0].texels > 1000 * stats[0].foreground);
+    assert_true(stats[0].evaluations == 0 && stats[0].worst_error == 0.0 && stats[2].texels == 0);
+    double from_centre = 0.0, from_point = 0.0;
+    for (size_t i = 0; i < (size_t)4 * WIDTH * HEIGHT; i++) {
+        from_centre += (double)fabsf(image[0].data[i] - image[2].data[i]) / (double)(3 * stats[0].foreground);
+        from_point += (double)fabsf(image[0].data[i] - image[3].data[i]) / (double)(3 * stats[0].foreground);
+    }
+    print_message("off by %.1e on the average; by parallax %.1e\n", from_centre, from_point);
+    assert_true(from_centre < 2e-3 && from_point > 0.05);
+    for (int i = 0; i < 4; i++)
+        rl_image_clear(&image[i]);
+}
+
 /* A square in front that faces away is not there; one that faces the eye hides what is behind. */
 static void test_back_faces(void **state)
 {
@@ -340,10 +379,15 @@ static void test_scene_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pixels),      cmocka_unit_test(test_back_faces),
-        cmocka_unit_test(test_normal_away), cmocka_unit_test(test_plain),
-        cmocka_unit_test(test_threads),     cmocka_unit_test(test_progress_and_interruption),
-        cmocka_unit_test(test_nonfinite),   cmocka_unit_test(test_scene_file),
+        cmocka_unit_test(test_pixels),
+        cmocka_unit_test(test_exhaustive),
+        cmocka_unit_test(test_back_faces),
+        cmocka_unit_test(test_normal_away),
+        cmocka_unit_test(test_plain),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_progress_and_interruption),
+        cmocka_unit_test(test_nonfinite),
+        cmocka_unit_test(test_scene_file),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -169,6 +169,29 @@ static void test_reference(void **state)
     clear();
 }
 
+/* `exhaustive` runs on the CPU but wants a map of every object that wears it; no program draws it. */
+static void test_exhaustive(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    load(11, 11, "    highlight: exhaustive");
+    make(&scene.settings);
+    assert_true(plan.on_cpu);
+    assert_int_equal(plan.n_programs, 0);
+    assert_int_equal(plan.n_environments, 1);
+    assert_int_equal(plan.environment[0], 0);
+    assert_int_equal(plan.environment[1], -1);
+    assert_int_equal(plan.environment_program, -1);
+    assert_string_equal(rl_plan_of_object(&plan, &scene, 0)->method->name, "exhaustive");
+    rl_plan_clear(&plan);
+    scene.settings.frame = RL_FRAME_PRINTED;
+    check_fails(rl_plan_make(&plan, &scene, &scene.settings, &error), &error, RL_ERR_INPUT,
+                "the method exhaustive with the frame printed, expected the frame orthonormal");
+    scene.settings.method = "reference";
+    make(&scene.settings);
+    clear();
+}
+
 /* No light, no highlight and no diffuse reflection; no specular colour, no highlight. */
 static void test_left_out(void **state)
 {
@@ -339,10 +362,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random),        cmocka_unit_test(test_regular),
         cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_left_out),      cmocka_unit_test(test_sharing),
-        cmocka_unit_test(test_margin),        cmocka_unit_test(test_auto_margin),
-        cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
-        cmocka_unit_test(test_modules_exist),
+        cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
+        cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
+        cmocka_unit_test(test_auto_margin),   cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_deterministic), cmocka_unit_test(test_modules_exist),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
