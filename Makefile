@@ -164,8 +164,8 @@ $(BUILD)/obj/%.o: %.c $(GEN)/flags | $(GEN)/version.h
 	$(if $(V),,@echo "  CC      $<")
 	$(Q)$(CC) $(C_FLAGS) $(SIMD_FLAGS) $(TEST_FLAGS) -MMD -MP -c $< -o $@
 
-$(BUILD)/obj/src/%_avx2.o: SIMD_FLAGS = $(AVX2_FLAGS)
-$(BUILD)/obj/src/%_avx512.o: SIMD_FLAGS = $(AVX512_FLAGS)
+$(BUILD)/obj/src/%_avx2.o $(BUILD)/tidy/src/%_avx2.c.ok: SIMD_FLAGS = $(AVX2_FLAGS)
+$(BUILD)/obj/src/%_avx512.o $(BUILD)/tidy/src/%_avx512.c.ok: SIMD_FLAGS = $(AVX512_FLAGS)
 
 $(BUILD)/obj/%.o: %.cpp $(GEN)/flags
 	@mkdir -p $(@D)
@@ -232,7 +232,7 @@ lint:
 tidy: $(patsubst %,$(BUILD)/tidy/%.ok,$(C_SOURCES) $(SHIM_SOURCE))
 not_for_tidy := -Werror $(SANITIZER)
 $(BUILD)/tidy/%.c.ok: $(BUILD)/obj/%.o .clang-tidy
-	$(call tidy,$*.c,$(C_FLAGS) -Itests $(TEST_CFLAGS))
+	$(call tidy,$*.c,$(C_FLAGS) $(SIMD_FLAGS) -Itests $(TEST_CFLAGS))
 $(BUILD)/tidy/%.cpp.ok: $(BUILD)/obj/%.o .clang-tidy
 	$(call tidy,$*.cpp,$(CXX_FLAGS))
 

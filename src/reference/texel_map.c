@@ -78,7 +78,8 @@ static void visit_texels(struct rl_texel_map *map, size_t *count, bool list)
                 if (!list)
                     count[layer]++;
                 else if (count[layer] > 0)
-                    add_texel(&map->layer[layer], count[layer], face, centre_of(x, size), centre_of(y, size), 1.0 / size);
+                    add_texel(&map->layer[layer], count[layer], face, centre_of(x, size), centre_of(y, size),
+                              1.0 / size);
             }
         }
     }

@@ -8,6 +8,7 @@
 #if defined(__AVX512F__)
 #include <immintrin.h>
 typedef __m512 lanes;
+enum { LANES = 16 };
 #define LOAD(from) _mm512_loadu_ps(from)
 #define ALL(value) _mm512_set1_ps(value)
 #define MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
@@ -17,6 +18,7 @@ typedef __m512 lanes;
 #elif defined(__AVX2__)
 #include <immintrin.h>
 typedef __m256 lanes;
+enum { LANES = 8 };
 #define LOAD(from) _mm256_loadu_ps(from)
 #define ALL(value) _mm256_set1_ps(value)
 #define MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
@@ -25,6 +27,7 @@ typedef __m256 lanes;
 #define ROOT(a) _mm256_sqrt_ps(a)
 #else
 typedef float lanes;
+enum { LANES = 1 };
 #define LOAD(from) (*(from))
 #define ALL(value) (value)
 #define MADD(a, b, c) ((a) * (b) + (c))
@@ -32,8 +35,6 @@ typedef float lanes;
 #define MOST(a, b) ((a) > (b) ? (a) : (b))
 #define ROOT(a) __builtin_sqrtf(a)
 #endif
-
-enum { LANES = sizeof(lanes) / sizeof(float) };
 
 /* Every lane of a shading point's numbers. */
 struct spread {

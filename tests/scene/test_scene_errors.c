@@ -167,7 +167,8 @@ static void test_materials(void **state)
         {13, 13, "    ambient:\n      - 0\n      - -2\n      - 0", 15,
          "materials[1].ambient[1]: found '-2', expected 0"},
         {11, 11, "    highlight: shiny", 11,
-         "materials[0].highlight: found 'shiny', expected plain, regular, random, exhaustive or reference, or none"},
+         "materials[0].highlight: found 'shiny', expected plain, regular, random, exhaustive or reference, "
+         "or none"},
         {9, 9, "", 8, "materials[0].rr: found nothing, expected the roughness R_r of the highlight"},
         {12, 12, "  - name: shiny", 12,
          "materials[1].name: found 'shiny', expected a name of its own, for materials[0]"},
