@@ -41,22 +41,37 @@ struct level {
 struct texel {
     int face, x, y;
     double integral,
-        variation; /* variation: the part of `integral` by which a shift of what is lit may change it */
+        variation; /* variation: what a shift of the lit part may change of `integral` times its part */
 };
 
-static struct texel texel_at(const struct rl_texel_pole *pole, int size, uint32_t index, size_t *evaluations)
+/* The weight's logarithm changes by up to 3/|y| (1/|y| of the pole, 2/|y| of D), and with G by 1/(N.V): times the sixth of an edge by
+ * which the lit part's centroid may lie off, times the part itself. Where the horizon passes through, the weight at the centre says
+ * nothing: the most of the corners' stands for it. */
+static double variation_of(const struct question *q, const struct rl_texel_pole *pole, const struct texel *t,
+                           double s, double u, double half)
+{
+    rl_vec3 L = rl_cube_direction(t->face, s, u);
+    double edge = 2.0 * half / v3_length(L), y = fmax(rl_texel_distance(pole, t->face, s, u), 0.5 * edge);
+    double part = edge / 6.0 * (3.0 / y + (q->attenuation ? 1.0 / pole->v.z : 0.0));
+    double variation = fmin(1.0, part) * t->integral;
+    if (!q->attenuation || v3_dot(q->surface->N, L) > 2.0 * half)
+        return variation;
+    double most = 0.0;
+    for (int i = 0; i < 4; i++)
+        most = fmax(most,
+                    rl_texel_weight(pole, t->face, s + (i & 1 ? half : -half), u + (i & 2 ? half : -half)));
+    return variation + most * rl_texel_solid_angle(s, u, half);
+}
+
+static struct texel texel_at(const struct question *q, const struct rl_texel_pole *pole, int size,
+                             uint32_t index, size_t *evaluations)
 {
     struct texel t = {.face = (int)(index / ((uint32_t)size * (uint32_t)size)),
                       .x = (int)(index % (uint32_t)size),
                       .y = (int)(index / (uint32_t)size % (uint32_t)size)};
     double s = (2 * t.x + 1.0) / size - 1.0, u = (2 * t.y + 1.0) / size - 1.0;
-    double edge = 2.0 / size / sqrt(1.0 + s * s + u * u);
     t.integral = rl_texel_integral(pole, t.face, s, u, 1.0 / size, evaluations);
-    /* The weight's logarithm changes by up to 3/|y| (1/|y| of the pole, 2/|y| of D), and with G by 1/(N.V): times the sixth of an edge by
-     * which the lit part's centroid may lie off, times the part itself. */
-    double y = rl_texel_distance(pole, t.face, s, u);
-    t.variation =
-        fmin(1.0, edge / 6.0 * (3.0 / fmax(y, 0.5 * edge) + (pole->attenuation ? 1.0 / pole->v.z : 0.0)));
+    t.variation = variation_of(q, pole, &t, s, u, 1.0 / size);
     return t;
 }
 
@@ -93,11 +108,11 @@ static void correct_edges(struct level *level, const struct question *q, const s
     const double *radiance = q->set->radiance[0];
     for (size_t i = 0; i < edges->n; i++) {
         const struct rl_texel_edge *edge = &edges->edge[i];
-        struct texel t = texel_at(pole, cube->size, edge->texel, &level->evaluations);
+        struct texel t = texel_at(q, pole, cube->size, edge->texel, &level->evaluations);
         double less = edge->coverage - (cube->seen[edge->texel] ? 1.0 : 0.0);
         for (int c = 0; c < 3; c++) {
             level->covered[c] += less * t.integral * radiance[c];
-            level->slack[c] += t.variation * t.integral * radiance[c];
+            level->slack[c] += t.variation * radiance[c];
         }
     }
 }
@@ -107,11 +122,11 @@ static void allow_for_edges(struct level *level, const struct question *q, const
                             const struct rl_cube_map *cube, const struct rl_texel_edges *edges)
 {
     for (size_t i = 0; i < edges->n; i++) {
-        struct texel t = texel_at(pole, cube->size, edges->edge[i].texel, &level->evaluations);
+        struct texel t = texel_at(q, pole, cube->size, edges->edge[i].texel, &level->evaluations);
         double low[3], high[3];
         radiances_about(low, high, q, cube, &t, edges->edge[i].polygon);
         for (int c = 0; c < 3; c++)
-            level->slack[c] += t.integral * (high[c] - low[c]);
+            level->slack[c] += (t.integral + t.variation) * (high[c] - low[c]);
     }
 }
 

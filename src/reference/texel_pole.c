@@ -163,7 +163,8 @@ static double square_integral(const struct rl_texel_pole *pole, const struct squ
     }
     struct point corner[4];
     bool folded = find_corners(corner, pole, q);
-    bool fine = !folded && FINE * fmax(y, fabs(m.n) / pole->rr) >= edge;
+    double varies_over = fmin(fmax(y, fabs(m.n) / pole->rr), sqrt(y * y + m.n * m.n));
+    bool fine = !folded && FINE * varies_over >= edge;
     int deepest = folded ? DEEPEST_FOLDED : m.n < pole->v.z * m.length ? DEEPEST_BEHIND : DEEPEST;
     bool divide = !fine && depth < deepest;
     for (int i = 0; i < 4; i++) {
