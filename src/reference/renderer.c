@@ -3,6 +3,7 @@
 #include "reference/renderer.h"
 
 #include <embree3/rtcore.h>
+#include <float.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -11,7 +12,8 @@
 
 #include "base/clock.h"
 #include "base/machine.h"
-#include "reference/integrator.h"
+#include "reference/accuracy.h"
+#include "reference/light_set.h"
 #include "reference/texel_map.h"
 #include "reference/visible.h"
 
@@ -30,19 +32,26 @@ struct shader {
 struct job {
     const struct rl_scene *scene;
     const struct rl_plan *plan;
-    struct rl_image *image;
+    struct rl_image *image, *errors; /* errors: NULL if not wanted */
+    struct rl_accuracy *reached;     /* per pixel */
     struct rl_visible *visible;
     struct rl_light_set *lights;
     struct rl_point_light *point_light;
     struct shader *shader;             /* per plan material */
     struct rl_texel_map **environment; /* per object; NULL: its method needs none */
-    struct rl_integrate_options options;
 };
 
-/* What one thread found; added up at the end. */
-struct tally {
-    size_t foreground, unconverged, evaluations, texels, nonfinite;
-    double worst_error;
+/* Once over all pixels that are not done. */
+struct pass {
+    struct rl_integrate_options options;
+    bool last;
+    double deadline;    /* on the monotonic clock; INFINITY: none */
+    size_t done, total; /* tiles, of all passes */
+};
+
+/* What was evaluated. */
+struct count {
+    size_t lines, texels;
 };
 
 static void make_shader(struct shader *s, const struct rl_scene *scene, const struct rl_plan_material *m)
@@ -63,6 +72,7 @@ static void job_clear(struct job *job)
     rl_light_set_free(job->lights);
     free(job->point_light);
     free(job->shader);
+    free(job->reached);
     for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
         rl_texel_map_free(job->environment[i]);
     free(job->environment);
@@ -80,19 +90,14 @@ static int make_environments(struct job *job, struct rl_error *error)
 }
 
 static int job_make(struct job *job, const struct rl_scene *scene, const struct rl_plan *plan,
-                    struct rl_image *image, struct rl_error *error)
+                    struct rl_image *image, struct rl_image *errors, struct rl_error *error)
 {
-    *job = (struct job){.scene = scene, .plan = plan, .image = image};
-    job->options = (struct rl_integrate_options){
-        .attenuation = plan->settings.attenuation,
-        .frame = plan->settings.frame,
-        .tolerance = plan->settings.tolerance,
-        .simd = rl_simd_best(),
-    };
+    *job = (struct job){.scene = scene, .plan = plan, .image = image, .errors = errors};
+    job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
     job->point_light = calloc(scene->n_lights + 1, sizeof *job->point_light);
     job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
-    if (!job->shader || !job->point_light || !job->environment) {
+    if (!job->reached || !job->shader || !job->point_light || !job->environment) {
         job_clear(job);
         return rl_fail_memory(error, "the CPU renderer");
     }
@@ -116,136 +121,202 @@ static const struct shader *shader_of(const struct job *job, size_t object)
     return &job->shader[m - job->plan->material];
 }
 
-/* L_o times k_s, added to rgb. */
-static void add_highlight(double rgb[3], const struct job *job, const struct shader *s,
-                          const struct rl_surface *surface, size_t object, struct tally *tally)
+/* L_o, its error where the integral gives one, and whether that is within the tolerance. */
+static void highlight(struct rl_estimate *estimate, struct count *count, const struct job *job,
+                      const struct shader *s, const struct rl_surface *surface, size_t object,
+                      const struct pass *pass)
 {
-    double L_o[3] = {0.0, 0.0, 0.0};
+    *estimate = (struct rl_estimate){.converged = true};
+    /* A normal that faces away from the eye, which interpolation makes at silhouettes, has no highlight. */
+    if (!s->plan->method || !(v3_dot(surface->N, surface->V) > 0.0))
+        return;
     if (!s->integrates) {
         s->plan->method->shade(surface, job->point_light, job->scene->n_lights,
-                               (double(*)[4])s->method_params, L_o);
-    } else if (job->environment[object]) {
-        tally->texels += rl_texel_map_integrate(L_o, job->environment[object], surface, &s->ellipsoid,
-                                                job->options.attenuation);
-    } else {
-        struct rl_surface seen = *surface;
-        if (job->plan->settings.light_from == RL_LIGHT_FROM_OBJECT)
-            seen.P = job->scene->object[object].centre;
-        struct rl_estimate estimate;
-        rl_integrate_lines(&estimate, &seen, &s->ellipsoid, job->lights, &job->options);
-        tally->evaluations += estimate.evaluations;
-        tally->unconverged += !estimate.converged;
-        for (int c = 0; c < 3; c++) {
-            L_o[c] = estimate.value[c];
-            tally->worst_error = fmax(tally->worst_error, estimate.error[c]);
-        }
+                               (double(*)[4])s->method_params, estimate->value);
+        return;
     }
-    for (int c = 0; c < 3; c++)
-        rgb[c] += s->material->specular[c] * L_o[c];
+    if (job->environment[object]) {
+        count->texels += rl_texel_map_integrate(estimate->value, job->environment[object], surface,
+                                                &s->ellipsoid, pass->options.attenuation);
+        return;
+    }
+    struct rl_surface seen = *surface;
+    if (job->plan->settings.light_from == RL_LIGHT_FROM_OBJECT)
+        seen.P = job->scene->object[object].centre;
+    rl_integrate_lines(estimate, &seen, &s->ellipsoid, job->lights, &pass->options);
+    count->lines += estimate->evaluations;
 }
 
-static void draw_pixel(const struct job *job, int x, int y, struct tally *tally)
+static void add_effects(double rgb[3], const struct job *job, const struct shader *s,
+                        const struct rl_surface *surface)
 {
-    struct rl_surface surface;
-    size_t object;
-    rl_vec3 direction = rl_camera_ray(&job->scene->camera, job->image->width, job->image->height, x, y);
-    if (!rl_visible_point(&surface, &object, job->visible, direction))
-        return;
-    const struct shader *s = shader_of(job, object);
-    double rgb[3] = {0.0, 0.0, 0.0};
     for (size_t i = 0; i < s->plan->n_effects; i++) {
         double part[3];
-        s->plan->effect[i]->shade(&surface, job->point_light, job->scene->n_lights,
+        s->plan->effect[i]->shade(surface, job->point_light, job->scene->n_lights,
                                   (double(*)[4])s->effect_params[i], part);
         for (int c = 0; c < 3; c++)
             rgb[c] += part[c];
     }
-    /* A normal that faces away from the eye, which interpolation makes at silhouettes, has no highlight. */
-    if (s->plan->method && v3_dot(surface.N, surface.V) > 0.0)
-        add_highlight(rgb, job, s, &surface, object, tally);
-    float *pixel = rl_image_pixel(job->image, x, y);
-    for (int c = 0; c < 3; c++) {
-        pixel[c] = (float)rgb[c];
-        tally->nonfinite += !isfinite(pixel[c]);
-    }
-    pixel[3] = 1.0f;
-    tally->foreground++;
 }
 
-static void draw_tile(const struct job *job, int tile, struct tally *tally)
+/* Writes a value, and how far off it may be: rounding to float is off by half a unit in the last place of either. */
+static void set_pixel(const struct job *job, int x, int y, const double rgb[3], const double error[3])
+{
+    float *pixel = rl_image_pixel(job->image, x, y);
+    for (int c = 0; c < 3; c++)
+        pixel[c] = (float)rgb[c];
+    pixel[3] = 1.0f;
+    if (!job->errors)
+        return;
+    float *off = rl_image_pixel(job->errors, x, y);
+    for (int c = 0; c < 3; c++)
+        off[c] = (float)((1.0 + FLT_EPSILON) * (error[c] + 0.5 * FLT_EPSILON * fabs(rgb[c])));
+    off[3] = 1.0f;
+}
+
+static void draw_pixel(const struct job *job, struct count *count, int x, int y, const struct pass *pass)
+{
+    struct rl_accuracy *reached = &job->reached[(size_t)y * (size_t)job->image->width + (size_t)x];
+    if (reached->done)
+        return;
+    struct rl_surface surface;
+    size_t object;
+    rl_vec3 direction = rl_camera_ray(&job->scene->camera, job->image->width, job->image->height, x, y);
+    if (!rl_visible_point(&surface, &object, job->visible, direction)) {
+        reached->done = true;
+        return;
+    }
+    const struct shader *s = shader_of(job, object);
+    struct rl_estimate estimate;
+    highlight(&estimate, count, job, s, &surface, object, pass);
+    double wanted = job->plan->settings.tolerance * job->lights->brightest;
+    if (rl_accuracy_improve(reached, &estimate, wanted, pass->last)) {
+        double rgb[3] = {0.0, 0.0, 0.0}, error[3];
+        add_effects(rgb, job, s, &surface);
+        for (int c = 0; c < 3; c++) {
+            rgb[c] += s->material->specular[c] * estimate.value[c];
+            error[c] = s->material->specular[c] * estimate.error[c];
+        }
+        set_pixel(job, x, y, rgb, error);
+    }
+}
+
+/* As far as the deadline lets it. */
+static void draw_tile(const struct job *job, struct count *count, int tile, const struct pass *pass)
 {
     int across = (job->image->width + TILE_PX - 1) / TILE_PX;
     int x0 = tile % across * TILE_PX;
     int y0 = tile / across * TILE_PX;
     for (int y = y0; y < y0 + TILE_PX && y < job->image->height; y++)
-        for (int x = x0; x < x0 + TILE_PX && x < job->image->width; x++)
-            draw_pixel(job, x, y, tally);
+        for (int x = x0; x < x0 + TILE_PX && x < job->image->width; x++) {
+            if (pass->deadline < INFINITY && rl_clock_seconds() > pass->deadline)
+                return;
+            draw_pixel(job, count, x, y, pass);
+        }
 }
 
-static struct tally draw_tiles(const struct job *job, int threads, const struct rl_progress *progress)
+static int n_tiles(const struct rl_image *image)
 {
-    int across = (job->image->width + TILE_PX - 1) / TILE_PX;
-    int down = (job->image->height + TILE_PX - 1) / TILE_PX;
-    int n_tiles = across * down;
-    size_t done = 0;
-    struct tally total = {0};
-#pragma omp parallel num_threads(threads)
-    {
-        struct tally mine = {0};
-#pragma omp for schedule(dynamic)
-        for (int tile = 0; tile < n_tiles; tile++) {
-            if (rl_progress_cancelled(progress))
-                continue;
-            draw_tile(job, tile, &mine);
+    return (image->width + TILE_PX - 1) / TILE_PX * ((image->height + TILE_PX - 1) / TILE_PX);
+}
+
+static void draw_tiles(struct rl_render_stats *stats, const struct job *job, struct pass *pass,
+                       const struct rl_progress *progress)
+{
+    int tiles = n_tiles(job->image);
+    size_t lines = 0, texels = 0;
+#pragma omp parallel for schedule(dynamic) num_threads(stats->threads) reduction(+ : lines, texels)
+    for (int tile = 0; tile < tiles; tile++) {
+        if (rl_progress_cancelled(progress))
+            continue;
+        struct count count = {0};
+        draw_tile(job, &count, tile, pass);
+        lines += count.lines;
+        texels += count.texels;
 #pragma omp critical(rl_render_progress)
-            rl_progress_update(progress, "reference: tiles", ++done, (size_t)n_tiles);
-        }
-#pragma omp critical(rl_render_tally)
-        {
-            total.foreground += mine.foreground;
-            total.unconverged += mine.unconverged;
-            total.evaluations += mine.evaluations;
-            total.texels += mine.texels;
-            total.nonfinite += mine.nonfinite;
-            total.worst_error = fmax(total.worst_error, mine.worst_error);
-        }
+        rl_progress_update(progress, "reference: tiles", ++pass->done, pass->total);
     }
-    return total;
+    stats->evaluations += lines;
+    stats->texels += texels;
+}
+
+static void draw_passes(struct rl_render_stats *stats, const struct job *job, double start, double deadline,
+                        const struct rl_progress *progress)
+{
+    const struct rl_settings *settings = &job->plan->settings;
+    double tolerance[RL_PASSES_MAX] = {settings->tolerance};
+    stats->passes = deadline < INFINITY ? rl_accuracy_passes(tolerance, settings->tolerance) : 1;
+    struct pass pass = {
+        .options = {.attenuation = settings->attenuation, .frame = settings->frame, .simd = rl_simd_best()},
+        .deadline = INFINITY,
+        .total = (size_t)stats->passes * (size_t)n_tiles(job->image)};
+    for (int i = 0; i < stats->passes && !rl_progress_cancelled(progress); i++) {
+        if (i > 0 && rl_clock_seconds() > deadline)
+            return;
+        pass.options.tolerance = tolerance[i];
+        pass.last = i == stats->passes - 1;
+        pass.deadline = i > 0 ? deadline : INFINITY;
+        draw_tiles(stats, job, &pass, progress);
+        double now = rl_clock_seconds();
+        stats->passes_completed += i == 0 || now <= deadline;
+        if (i == 0)
+            stats->first_seconds = now - start;
+    }
+}
+
+static int draw(const struct job *job, struct rl_render_stats *stats, double start, double deadline,
+                const struct rl_progress *progress, struct rl_error *error)
+{
+    draw_passes(stats, job, start, deadline, progress);
+    if (rl_progress_cancelled(progress))
+        return rl_fail(error, RL_ERR_CANCELLED, "interrupted");
+    struct rl_accuracy_summary summary;
+    rl_accuracy_summarise(&summary, job->reached, job->image);
+    if (summary.nonfinite > 0)
+        return rl_fail(error, RL_ERR_CHECK, "%zu values of the image are not finite", summary.nonfinite);
+    stats->foreground = summary.foreground;
+    stats->unconverged = summary.foreground - summary.within;
+    stats->worst_error = summary.worst_error;
+    stats->rms_error = summary.rms_error;
+    stats->mean_error = summary.mean_error;
+    return RL_OK;
+}
+
+int rl_reference_render_within(struct rl_image *image, struct rl_render_stats *stats,
+                               const struct rl_scene *scene, const struct rl_plan *plan,
+                               const struct rl_render_limits *limits, const struct rl_progress *progress,
+                               struct rl_error *error)
+{
+    double start = rl_clock_seconds();
+    double deadline = limits->max_seconds > 0.0 ? start + limits->max_seconds : INFINITY;
+    struct job job = {0};
+    int width = plan->settings.width, height = plan->settings.height;
+    *stats =
+        (struct rl_render_stats){.threads = limits->threads > 0 ? limits->threads : rl_machine_threads()};
+    int status = rl_image_allocate(image, width, height, 4, error);
+    if (status == RL_OK && limits->errors)
+        status = rl_image_allocate(limits->errors, width, height, 4, error);
+    if (status == RL_OK)
+        status = job_make(&job, scene, plan, image, limits->errors, error);
+    if (status == RL_OK) {
+        status = draw(&job, stats, start, deadline, progress, error);
+        job_clear(&job);
+    }
+    stats->seconds = rl_clock_seconds() - start;
+    if (status != RL_OK) {
+        rl_image_clear(image);
+        if (limits->errors)
+            rl_image_clear(limits->errors);
+    }
+    return status;
 }
 
 int rl_reference_render(struct rl_image *image, struct rl_render_stats *stats, const struct rl_scene *scene,
                         const struct rl_plan *plan, int threads, const struct rl_progress *progress,
                         struct rl_error *error)
 {
-    double start = rl_clock_seconds();
-    struct job job;
-    int status = rl_image_allocate(image, plan->settings.width, plan->settings.height, 4, error);
-    if (status == RL_OK)
-        status = job_make(&job, scene, plan, image, error);
-    if (status != RL_OK) {
-        rl_image_clear(image);
-        return status;
-    }
-    if (threads <= 0)
-        threads = rl_machine_threads();
-    struct tally tally = draw_tiles(&job, threads, progress);
-    job_clear(&job);
-    *stats = (struct rl_render_stats){
-        .seconds = rl_clock_seconds() - start,
-        .foreground = tally.foreground,
-        .unconverged = tally.unconverged,
-        .worst_error = tally.worst_error,
-        .evaluations = tally.evaluations,
-        .texels = tally.texels,
-        .threads = threads,
-    };
-    if (rl_progress_cancelled(progress))
-        status = rl_fail(error, RL_ERR_CANCELLED, "interrupted");
-    else if (tally.nonfinite > 0)
-        status = rl_fail(error, RL_ERR_CHECK, "%zu values of the image are not finite", tally.nonfinite);
-    if (status != RL_OK)
-        rl_image_clear(image);
-    return status;
+    const struct rl_render_limits limits = {.threads = threads};
+    return rl_reference_render_within(image, stats, scene, plan, &limits, progress, error);
 }
 
 void rl_reference_library(char version[64])

@@ -95,3 +95,17 @@ int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const s
         text(&stamp, "date", line);
     return stamp.status;
 }
+
+int rl_stamp_accuracy(struct rl_image *image, const struct rl_stamp_accuracy *accuracy,
+                      struct rl_error *error)
+{
+    struct stamp stamp = {image, error, RL_OK};
+    number(&stamp, "foreground", (double)accuracy->foreground);
+    number(&stamp, "within_tolerance", (double)accuracy->within);
+    number(&stamp, "worst_error", accuracy->worst_error);
+    number(&stamp, "rms_error", accuracy->rms_error);
+    number(&stamp, "mean_error", accuracy->mean_error);
+    if (accuracy->max_seconds > 0.0)
+        number(&stamp, "max_seconds", accuracy->max_seconds);
+    return stamp.status;
+}

@@ -14,4 +14,14 @@
 int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const struct rl_plan *plan,
                    const char *renderer, int threads, double seconds, struct rl_error *error);
 
+/* What an image whose values carry their error says of it: over the foreground, of L_o. */
+struct rl_stamp_accuracy {
+    size_t foreground, within; /* pixels; those within the tolerance */
+    double worst_error, rms_error, mean_error;
+    double max_seconds; /* the budget; 0: none, and none is written */
+};
+
+int rl_stamp_accuracy(struct rl_image *image, const struct rl_stamp_accuracy *accuracy,
+                      struct rl_error *error);
+
 #endif

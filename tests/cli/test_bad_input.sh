@@ -77,6 +77,11 @@ bad "normal bits" "--normal-bits: found '3'" render $scene -o "$tmp/x.exr" --nor
 bad "environment format" "--env-format: found 'rgb'" render $scene -o "$tmp/x.exr" --env-format rgb
 bad "margin" "--margin: found '-1'" render $scene -o "$tmp/x.exr" --margin -1
 bad "backend" "'vulkan'" render $scene -o "$tmp/x.exr" --backend vulkan
+bad "budget" "--max-seconds: found '0', expected" render $scene -o "$tmp/x.exr" --method reference --max-seconds 0
+bad "budget of a GPU method" "--max-seconds: .*GPU.*--method reference" render $scene -o "$tmp/x.exr" --method random --max-seconds 3
+bad "errors of a GPU method" "--errors: .*GPU.*--method reference" render $scene -o "$tmp/x.exr" --method random --errors "$tmp/xe.exr"
+bad "errors as PNG" "--errors: found '.*xe.png', expected .*\.exr" render $scene -o "$tmp/x.exr" --method reference --errors "$tmp/xe.png"
+bad "errors over the image" "--errors: .*another file" render $scene -o "$tmp/x.exr" --method reference --errors "$tmp/x.exr"
 bad "seed" "--seed: found '-3'" render $scene -o "$tmp/x.exr" --seed -3
 
 edit wrong-key 's/rr: 30/roughness: 30/'

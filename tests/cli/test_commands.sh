@@ -90,6 +90,15 @@ check "plan prints JSON" sh -c "'$rl' plan $scene --format json | head -c 1 | gr
 check "random 4" "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/a.exr"
 check "the same again, by the environment's backend" env ROUGHLIGHT_BACKEND=osmesa "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/b.exr"
 check "reference" "$rl" render $scene --size 64x48 --method reference -o "$tmp/r.exr"
+budget() {
+    "$rl" render $scene --size 64x48 --method reference --max-seconds "$1" --errors "$tmp/errors.exr" -o "$tmp/budget.exr" 2>&1
+}
+too_little() { budget 0.001 | tee "$tmp/said" && grep -q "of 0.001 s: 1 of 3 passes completed" "$tmp/said" &&
+    grep -q "first pass, which is always completed" "$tmp/said"; }
+check "a budget too small is a success that says so" too_little
+check "a budget that is enough" sh -c "'$rl' render $scene --size 64x48 --method reference --max-seconds 100 -o '$tmp/budget.exr'"
+check "gives the image of no budget" sh -c "'$rl' compare '$tmp/budget.exr' '$tmp/r.exr' | tail -1 | cut -f4 | grep -qx 0"
+check "the errors are an image" sh -c "'$rl' compare '$tmp/errors.exr' '$tmp/r.exr'"
 check "PNG" "$rl" render $scene --size 64x48 -o "$tmp/a.png"
 check "equal images compare as equal" sh -c "'$rl' compare '$tmp/a.exr' '$tmp/b.exr' | tail -1 | cut -f1 | grep -qx 0"
 check "random 4 against the reference is finite" sh -c "'$rl' compare '$tmp/a.exr' '$tmp/r.exr' |
