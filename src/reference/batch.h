@@ -5,7 +5,7 @@
  * for each instruction set (batch_kernel.h); sines, logarithms and arctangents are SLEEF's. A line whose crossings do not come out in the
  * order traced (rounding, right at a break) is marked, and the caller does it alone.
  *
- * Only for the orthonormal frame and R >= 1; the general path is rl_lines_integrate.
+ * Only for the orthonormal frame, R >= 1 and nothing that hides the lights; the general path is rl_lines_integrate.
  */
 #ifndef RL_REFERENCE_BATCH_H
 #define RL_REFERENCE_BATCH_H

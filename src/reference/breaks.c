@@ -237,12 +237,21 @@ static size_t kink_breaks(struct rl_break *breaks, const struct rl_lines *lines,
     return n + shadowing_breaks(breaks + n, lines, &arc);
 }
 
-/* Breaks that one edge may have: its start, two touches, four planes and up to five kinks of shadowing. */
-enum { MOST_AN_EDGE = 12 };
+size_t rl_breaks_of_edge(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
+{
+    size_t n = 0;
+    if (edge->q_x != 0.0 || edge->q_y != 0.0)
+        breaks[n++] = (struct rl_break){
+            .theta = rl_line_azimuth(edge->q_x, edge->q_y),
+            .kind = RL_BREAK_KINK,
+        };
+    n += edge_touches(breaks + n, lines, edge);
+    return n + (lines->attenuation ? kink_breaks : end_breaks)(breaks + n, lines, edge);
+}
 
 size_t rl_breaks_most(const struct rl_light_set *set)
 {
-    return 2 + MOST_AN_EDGE * rl_lines_edges_most(set) + rl_overlap_breaks_most(set);
+    return 2 + RL_BREAKS_OF_EDGE * rl_lines_edges_most(set) + rl_overlap_breaks_most(set);
 }
 
 size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
@@ -250,15 +259,8 @@ size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
     size_t n = lines->attenuation ? zone_breaks(breaks, lines) : 0;
     for (size_t i = 0; i < lines->n_polygons; i++) {
         const struct rl_edge *edge = &lines->edge[lines->polygon[i].first];
-        for (size_t j = 0; j < lines->polygon[i].n; j++) {
-            if (edge[j].q_x != 0.0 || edge[j].q_y != 0.0)
-                breaks[n++] = (struct rl_break){
-                    .theta = rl_line_azimuth(edge[j].q_x, edge[j].q_y),
-                    .kind = RL_BREAK_KINK,
-                };
-            n += edge_touches(breaks + n, lines, &edge[j]);
-            n += (lines->attenuation ? kink_breaks : end_breaks)(breaks + n, lines, &edge[j]);
-        }
+        for (size_t j = 0; j < lines->polygon[i].n; j++)
+            n += rl_breaks_of_edge(breaks + n, lines, &edge[j]);
     }
     return n + rl_overlap_breaks(breaks + n, lines);
 }

@@ -31,6 +31,12 @@ struct rl_break {
 /* Room that rl_breaks_find may need. */
 size_t rl_breaks_most(const struct rl_light_set *set);
 
+/* One edge's start, two touches, four planes and up to five kinks of shadowing. */
+enum { RL_BREAKS_OF_EDGE = 12 };
+
+/* Those of one edge: at most RL_BREAKS_OF_EDGE. */
+size_t rl_breaks_of_edge(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge);
+
 /* Fills the breaks, in no order and some perhaps twice; returns how many. */
 size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines);
 

@@ -9,6 +9,7 @@
 #include "reference/batch.h"
 #include "reference/breaks.h"
 #include "reference/integrators.h"
+#include "reference/occlusion.h"
 #include "reference/panels.h"
 #include "reference/quadrature.h"
 
@@ -41,9 +42,11 @@ static void *take(char *memory, size_t *at, size_t n, size_t size)
 }
 
 /* Lays the job out in `memory`; NULL only counts. Returns the bytes needed. */
-static size_t lay_out(struct job *job, char *memory, const struct rl_light_set *set)
+static size_t lay_out(struct job *job, char *memory, const struct rl_light_set *set,
+                      const struct rl_integrate_options *options)
 {
-    size_t at = rl_lines_size(set), edges = rl_lines_edges_most(set), breaks = rl_breaks_most(set);
+    size_t at = rl_lines_size(set), edges = rl_lines_edges_most(set);
+    size_t breaks = rl_breaks_most(set) + (options->occlusion ? RL_OCCLUSION_BREAKS : 0);
     job->breaks = take(memory, &at, breaks, sizeof *job->breaks);
     job->panel = take(memory, &at, breaks + 1, sizeof *job->panel);
     job->trace = take(memory, &at, breaks + 1, sizeof *job->trace);
@@ -99,7 +102,10 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
                             const struct rl_integrate_options *options)
 {
     const struct rl_light_set *set = job->lines.set;
-    size_t n = rl_panels_between(job->panel, job->breaks, rl_breaks_find(job->breaks, &job->lines));
+    size_t n = rl_breaks_find(job->breaks, &job->lines);
+    if (options->occlusion)
+        n += rl_occlusion_breaks(job->breaks + n, options->occlusion, &job->lines);
+    n = rl_panels_between(job->panel, job->breaks, n);
     memset(job->trace, 0, n * sizeof *job->trace);
     /* A little is left for rounding, which comes on top. */
     double tolerance = options->tolerance * set->brightest;
@@ -129,7 +135,7 @@ void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *s
         return;
 
     struct job job;
-    size_t size = lay_out(&job, NULL, set);
+    size_t size = lay_out(&job, NULL, set, options);
     alignas(16) char at_first[MEMORY_AT_FIRST];
     char *owned = size > sizeof at_first ? malloc(size) : NULL;
     if (size > sizeof at_first && !owned) {
@@ -138,7 +144,7 @@ void rl_integrate_lines(struct rl_estimate *estimate, const struct rl_surface *s
         return;
     }
     char *memory = owned ? owned : at_first;
-    lay_out(&job, memory, set);
+    lay_out(&job, memory, set, options);
     job.used = 0;
     rl_lines_make(&job.lines, memory, surface, e, set, options);
     job.batch = rl_batch_for(&job.lines, options->simd);

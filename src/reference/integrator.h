@@ -32,6 +32,9 @@ int rl_light_set_from_polygons(struct rl_light_set **set, const rl_vec3 *const v
                                const size_t n_vertices[], size_t n_polygons, struct rl_error *error);
 void rl_light_set_free(struct rl_light_set *set);
 
+/* What hides the lights (occlusion.h). */
+struct rl_occlusion;
+
 struct rl_integrate_options {
     bool attenuation;
     enum rl_frame_kind frame; /* RL_FRAME_PRINTED: H as the paper's frame gives it, normalised */
@@ -42,6 +45,7 @@ struct rl_integrate_options {
     uint64_t seed;       /* of those that draw random numbers */
     double confidence;   /* of those: the error is the half width of the interval of this level; 0: 0.99 */
     int env_size;        /* of `exhaustive`: texels along a face's edge; 0: 512 */
+    struct rl_occlusion *occlusion; /* of the reference: seen from this very point; NULL: nothing hides */
 };
 
 struct rl_estimate {

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "reference/lines.h"
+#include "reference/occlusion.h"
 
 /* A line's own axes, and the closed forms of G along it once they are needed. */
 struct line {
@@ -153,21 +154,54 @@ static double rounding(const struct rl_lines *lines, const struct rl_crossing *a
     return fmin(1.0, 8.0 * DBL_EPSILON * density);
 }
 
+/* The crossing whose microfacet normal is given. */
+static struct rl_crossing at_normal(const struct rl_lines *lines, const struct line *line,
+                                    struct rl_angle normal)
+{
+    double twice = 2.0 * (line->v_t * normal.s + line->v_n * normal.c);
+    struct rl_crossing at = {
+        .normal = normal, .l_t = twice * normal.s - line->v_t, .l_n = twice * normal.c - line->v_n};
+    at.full = !lines->attenuation || 4.0 * twice * normal.c * fmin(line->v_n, at.l_n) >= twice * twice;
+    at.delta = lines->stretch == 1.0 ? normal : rl_inner_unstretch(normal, lines->stretch);
+    return at;
+}
+
+/* The inner integral over what of a stretch is not hidden; *off gains what of it is in doubt. */
+static double visible_integral(double *off, const struct rl_lines *lines, struct line *line,
+                               const struct rl_crossing *a, const struct rl_crossing *b)
+{
+    const struct rl_part *part = lines->occlusion->part;
+    size_t n =
+        rl_occlusion_split(lines->occlusion, lines, line->cos_theta, line->sin_theta, a->normal, b->normal);
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        struct rl_crossing from = at_normal(lines, line, part[i].from),
+                           to = at_normal(lines, line, part[i].to);
+        double inner = inner_integral(lines, line, &from, &to);
+        sum += part[i].visible ? inner : 0.0;
+        *off += (part[i].doubtful ? inner : 0.0) + rounding(lines, &from) + rounding(lines, &to);
+    }
+    return sum;
+}
+
 /* Adds a stretch to the value. */
 static void add_stretch(double value[4], const struct rl_lines *lines, struct line *line,
                         const struct rl_crossing *from, const struct rl_crossing *to, size_t radiance)
 {
     const struct rl_light_set *set = lines->set;
-    double inner = inner_integral(lines, line, from, to);
+    double off = rounding(lines, from) + rounding(lines, to);
+    double inner = lines->occlusion ? visible_integral(&off, lines, line, from, to)
+                                    : inner_integral(lines, line, from, to);
     for (int c = 0; c < 3; c++)
         value[c] += inner * set->radiance[radiance][c];
-    value[3] += set->brightest * (rounding(lines, from) + rounding(lines, to));
+    value[3] += set->brightest * off;
 }
 
 /* From `at` on, light of this radiance is seen. */
 static void switch_to(struct sweep *sweep, size_t radiance, const struct rl_crossing *at)
 {
-    if (radiance == sweep->radiance)
+    /* Where one light of a radiance takes over from another, its distance changes, and so may what hides it. */
+    if (radiance == sweep->radiance && !sweep->lines->occlusion)
         return;
     if (sweep->radiance != NOTHING) {
         if (sweep->value)

@@ -206,15 +206,27 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         .e = e,
         .set = set,
         .attenuation = options->attenuation,
-        .merged = set->twin != NULL,
+        .merged = set->twin != NULL && !options->occlusion,
         .stretch = stretch,
         .v_x = V.x,
         .v_y = V.y,
         .v_n = V.z,
+        .occlusion = options->occlusion,
     };
     lay_out(lines, memory);
     for (size_t i = 0; i < set->n_polygons; i++)
         lines->facing[i] = facing_of(set, &set->polygon[i], surface->P);
     for (size_t i = 0; i < set->n_polygons; i++)
         see_polygon(lines, &frame, surface->P, i);
+}
+
+double rl_lines_nearness(const struct rl_lines *lines, rl_vec3 L)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < lines->n_polygons; i++) {
+        const struct rl_seen_polygon *polygon = &lines->polygon[i];
+        if (hits(&lines->edge[polygon->first], polygon->n, polygon->nearness, L))
+            most = fmax(most, v3_dot(polygon->nearness, L));
+    }
+    return most;
 }

@@ -89,6 +89,7 @@ struct rl_lines {
     struct rl_seen_polygon **active; /* scratch of a line */
     struct rl_extent *extent;        /* scratch of the breaks */
     signed char *facing;             /* of each of the set's polygons: 1 front, -1 back, 0 edge-on */
+    struct rl_occlusion *occlusion;  /* NULL: nothing hides the lights */
 };
 
 /* Most edges that a view of this set may have. */
@@ -101,6 +102,9 @@ size_t rl_lines_size(const struct rl_light_set *set);
 void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface *surface,
                    const struct rl_ellipsoid *e, const struct rl_light_set *set,
                    const struct rl_integrate_options *options);
+
+/* 1/distance to the light hit first in direction L, in the frame; 0 if none is. */
+double rl_lines_nearness(const struct rl_lines *lines, rl_vec3 L);
 
 /* value[0..2]: integral over delta of D G L_e, RGB; value[3]: what rounding may have done to it. Returns whether the line meets any
  * light. Uses the scratch inside `lines`. */
