@@ -18,9 +18,10 @@ static uint64_t make_key(const struct rl_bench *bench, const struct rl_scene *sc
 {
     char text[256];
     int n = snprintf(text, sizeof text,
-                     "%016" PRIx64 " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d",
+                     "%016" PRIx64
+                     " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d shadows=%d",
                      scene->hash, bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance,
-                     s->attenuation, rl_frame_name(s->frame), (int)s->light_from);
+                     s->attenuation, rl_frame_name(s->frame), (int)s->light_from, s->shadows);
     return rl_hash_bytes(RL_HASH_START, text, (size_t)n);
 }
 

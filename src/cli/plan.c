@@ -110,6 +110,10 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
     struct rl_rows rows;
     rl_rows_begin(&rows, format, (const char *const[]){"kind", "name", "detail", NULL});
     effect_rows(&rows, scene, &plan);
+    if (plan.on_cpu && settings.shadows)
+        row(&rows, "effect", "shadows",
+            "of every highlight: lights hidden by other objects; lines are cut at silhouettes, Embree's rays "
+            "decide");
     texture_rows(&rows, scene, &plan);
     if (plan.on_cpu)
         row(&rows, "pass", "cpu",

@@ -27,6 +27,7 @@ const struct rl_option rl_options_render[] = {
     {0, "light-from", "WHERE",
      "reference: lights seen from each point, or from the object's centre as a map does: point, object "
      "(point)"},
+    {0, "shadows", "on|off", "reference: objects hide the lights from one another's highlights (off)"},
     {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
     {0, "backend", "NAME", "auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
     {0, "threads", "N", "of the CPU renderer and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
@@ -71,11 +72,11 @@ static int take_method(struct rl_settings *settings, const char *name, struct rl
     return RL_OK;
 }
 
-static int take_attenuation(struct rl_settings *settings, const char *text, struct rl_error *error)
+static int take_switch(bool *on, const char *text, const char *name, struct rl_error *error)
 {
-    settings->attenuation = strcmp(text, "on") == 0;
-    if (!settings->attenuation && strcmp(text, "off") != 0)
-        return rl_fail(error, RL_ERR_INPUT, "--attenuation: found '%s', expected on or off", text);
+    *on = strcmp(text, "on") == 0;
+    if (!*on && strcmp(text, "off") != 0)
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected on or off", name, text);
     return RL_OK;
 }
 
@@ -129,7 +130,9 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
     if (status == RL_OK && (text = rl_argument(a, "seed")))
         status = take_seed(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "attenuation")))
-        status = take_attenuation(s, text, error);
+        status = take_switch(&s->attenuation, text, "attenuation", error);
+    if (status == RL_OK && (text = rl_argument(a, "shadows")))
+        status = take_switch(&s->shadows, text, "shadows", error);
     if (status == RL_OK && (text = rl_argument(a, "light-from")))
         status = take_light_from(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "frame")))

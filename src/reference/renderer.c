@@ -14,6 +14,7 @@
 #include "base/machine.h"
 #include "reference/accuracy.h"
 #include "reference/light_set.h"
+#include "reference/occluders.h"
 #include "reference/texel_map.h"
 #include "reference/visible.h"
 
@@ -36,6 +37,9 @@ struct job {
     struct rl_accuracy *reached;     /* per pixel */
     struct rl_visible *visible;
     struct rl_light_set *lights;
+    struct rl_occluders *occluders; /* NULL: no shadows */
+    struct rl_occluders_view *view; /* with occluders: one a thread */
+    int n_views;
     struct rl_point_light *point_light;
     struct shader *shader;             /* per plan material */
     struct rl_texel_map **environment; /* per object; NULL: its method needs none */
@@ -68,6 +72,10 @@ static void make_shader(struct shader *s, const struct rl_scene *scene, const st
 
 static void job_clear(struct job *job)
 {
+    for (int i = 0; i < job->n_views; i++)
+        rl_occluders_view_clear(&job->view[i]);
+    free(job->view);
+    rl_occluders_free(job->occluders);
     rl_visible_free(job->visible);
     rl_light_set_free(job->lights);
     free(job->point_light);
@@ -90,14 +98,18 @@ static int make_environments(struct job *job, struct rl_error *error)
 }
 
 static int job_make(struct job *job, const struct rl_scene *scene, const struct rl_plan *plan,
-                    struct rl_image *image, struct rl_image *errors, struct rl_error *error)
+                    struct rl_image *image, struct rl_image *errors, int threads, struct rl_error *error)
 {
     *job = (struct job){.scene = scene, .plan = plan, .image = image, .errors = errors};
+    if (plan->settings.shadows)
+        job->view = calloc((size_t)threads, sizeof *job->view);
+    job->n_views = job->view ? threads : 0;
     job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
     job->point_light = calloc(scene->n_lights + 1, sizeof *job->point_light);
     job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
-    if (!job->reached || !job->shader || !job->point_light || !job->environment) {
+    if (!job->reached || !job->shader || !job->point_light || !job->environment ||
+        (plan->settings.shadows && !job->view)) {
         job_clear(job);
         return rl_fail_memory(error, "the CPU renderer");
     }
@@ -110,6 +122,8 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
         status = rl_visible_make(&job->visible, scene, error);
     if (status == RL_OK)
         status = make_environments(job, error);
+    if (status == RL_OK && plan->settings.shadows)
+        status = rl_occluders_make(&job->occluders, scene, job->visible, error);
     if (status != RL_OK)
         job_clear(job);
     return status;
@@ -119,6 +133,28 @@ static const struct shader *shader_of(const struct job *job, size_t object)
 {
     const struct rl_plan_material *m = rl_plan_of_object(job->plan, job->scene, object);
     return &job->shader[m - job->plan->material];
+}
+
+/* The integral where other objects may hide the lights. A round body's silhouette has more corners than can all be told as breaks:
+ * past a number of lines the error is left as it is. */
+static void integrate_shadowed(struct rl_estimate *estimate, const struct job *job, const struct shader *s,
+                               const struct rl_surface *surface, size_t object, const struct pass *pass)
+{
+    enum { LINES_MOST = 2000 };
+    struct rl_integrate_options options = pass->options;
+    struct rl_occluders_view *view = &job->view[omp_get_thread_num()];
+    switch (rl_occluders_see(view, job->occluders, surface, object, options.attenuation)) {
+    case RL_OCCLUDERS_SOME:
+        options.occlusion = &view->occlusion;
+        options.max_evaluations = LINES_MOST;
+        break;
+    case RL_OCCLUDERS_NO_MEMORY:
+        *estimate = (struct rl_estimate){.error = {INFINITY, INFINITY, INFINITY}};
+        return;
+    case RL_OCCLUDERS_NONE:
+        break;
+    }
+    rl_integrate_lines(estimate, surface, &s->ellipsoid, job->lights, &options);
 }
 
 /* L_o, its error where the integral gives one, and whether that is within the tolerance. */
@@ -143,7 +179,10 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
     struct rl_surface seen = *surface;
     if (job->plan->settings.light_from == RL_LIGHT_FROM_OBJECT)
         seen.P = job->scene->object[object].centre;
-    rl_integrate_lines(estimate, &seen, &s->ellipsoid, job->lights, &pass->options);
+    if (job->occluders)
+        integrate_shadowed(estimate, job, s, &seen, object, pass);
+    else
+        rl_integrate_lines(estimate, &seen, &s->ellipsoid, job->lights, &pass->options);
     count->lines += estimate->evaluations;
 }
 
@@ -297,7 +336,7 @@ int rl_reference_render_within(struct rl_image *image, struct rl_render_stats *s
     if (status == RL_OK && limits->errors)
         status = rl_image_allocate(limits->errors, width, height, 4, error);
     if (status == RL_OK)
-        status = job_make(&job, scene, plan, image, limits->errors, error);
+        status = job_make(&job, scene, plan, image, limits->errors, stats->threads, error);
     if (status == RL_OK) {
         status = draw(&job, stats, start, deadline, progress, error);
         job_clear(&job);

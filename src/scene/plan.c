@@ -247,6 +247,20 @@ static const char *method_only(const struct rl_plan *plan, bool on_gpu)
     return "";
 }
 
+/* Shadows take the integral itself, for which each part of a light is there or not. */
+static int check_shadows(const struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
+{
+    for (size_t i = 0; i < plan->n_materials && plan->settings.shadows; i++) {
+        const struct rl_method *method = plan->material[i].method;
+        if (method && (!method->on_cpu || method->shade))
+            return rl_fail(error, RL_ERR_INPUT,
+                           "%s: shadows are on, which the method %s cannot draw, expected a method that "
+                           "integrates on the CPU: --method reference, or --shadows off",
+                           scene->path, method->name);
+    }
+    return RL_OK;
+}
+
 static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene)
 {
     for (size_t i = 0; i < scene->n_objects; i++) {
@@ -294,6 +308,8 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
         return status;
     }
     status = check_frame(plan, scene, error);
+    if (status == RL_OK)
+        status = check_shadows(plan, scene, error);
     if (status != RL_OK) {
         rl_plan_clear(plan);
         return status;

@@ -69,8 +69,8 @@ struct rl_plan {
     float radiance_scale;
 };
 
-/* RL_ERR_INPUT: settings out of range, a frame that a method does not take, or materials whose methods
- * share neither the CPU nor the GPU. */
+/* RL_ERR_INPUT: settings out of range, a frame that a method does not take, materials whose methods share neither the CPU nor the
+ * GPU, or shadows that a method cannot draw. */
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
                  struct rl_error *error);
 void rl_plan_clear(struct rl_plan *plan);

@@ -177,6 +177,7 @@ static int build_settings(const struct rl_scene_builder *b)
         s->normal_size = raw->normal_size ? *raw->normal_size : s->normal_size;
         s->env_size = raw->env_size ? *raw->env_size : s->env_size;
         s->attenuation = raw->attenuation ? *raw->attenuation == RL_RAW_ON : s->attenuation;
+        s->shadows = raw->shadows ? *raw->shadows == RL_RAW_ON : s->shadows;
         s->seed = raw->seed ? *raw->seed : s->seed;
         s->tolerance = raw->tolerance ? *raw->tolerance : s->tolerance;
         /* In a file 0 samples are a slip, not the wish for the method's default. */

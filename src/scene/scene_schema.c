@@ -95,6 +95,8 @@ static const cyaml_schema_field_t render_fields[] = {
                            TEXT_MAX),
     CYAML_FIELD_ENUM_PTR("attenuation", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_render, attenuation,
                          switches, sizeof switches / sizeof switches[0]),
+    CYAML_FIELD_ENUM_PTR("shadows", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_render, shadows, switches,
+                         sizeof switches / sizeof switches[0]),
     CYAML_FIELD_STRING_PTR("frame", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_render, frame, 1, TEXT_MAX),
     CYAML_FIELD_UINT_PTR("seed", OPTIONAL, struct rl_raw_render, seed),
     CYAML_FIELD_FLOAT_PTR("tolerance", OPTIONAL, struct rl_raw_render, tolerance),

@@ -62,6 +62,7 @@ struct rl_raw_render {
     char *env_format;
     char *margin;
     enum rl_raw_switch *attenuation;
+    enum rl_raw_switch *shadows;
     char *frame;
     uint64_t *seed;
     double *tolerance;

@@ -52,10 +52,11 @@ struct rl_settings {
     /* Reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1. */
     double tolerance;
     enum rl_light_from light_from; /* reference */
+    bool shadows; /* reference: objects hide lights from one another's highlights; never from their own */
 };
 
-/* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame; seed 1;
- * tolerance 1e-5. */
+/* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame, no shadows;
+ * seed 1; tolerance 1e-5. */
 #define RL_SETTINGS_DEFAULT                                                                                  \
     ((struct rl_settings){.normal_bits = 8,                                                                  \
                           .normal_size = 512,                                                                \

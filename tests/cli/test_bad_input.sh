@@ -77,6 +77,10 @@ bad "normal bits" "--normal-bits: found '3'" render $scene -o "$tmp/x.exr" --nor
 bad "environment format" "--env-format: found 'rgb'" render $scene -o "$tmp/x.exr" --env-format rgb
 bad "margin" "--margin: found '-1'" render $scene -o "$tmp/x.exr" --margin -1
 bad "backend" "'vulkan'" render $scene -o "$tmp/x.exr" --backend vulkan
+bad "shadows" "--shadows: found 'yes', expected on or off" render $scene -o "$tmp/x.exr" --shadows yes
+bad "shadows of a GPU method" "shadows are on, .*method random .*--method reference, or --shadows off" \
+    render $scene -o "$tmp/x.exr" --method random --shadows on
+bad "shadows of a method that does not integrate" "shadows are on, .*method plain " plan $scene --method plain --shadows on
 bad "budget" "--max-seconds: found '0', expected" render $scene -o "$tmp/x.exr" --method reference --max-seconds 0
 bad "budget of a GPU method" "--max-seconds: .*GPU.*--method reference" render $scene -o "$tmp/x.exr" --method random --max-seconds 3
 bad "errors of a GPU method" "--errors: .*GPU.*--method reference" render $scene -o "$tmp/x.exr" --method random --errors "$tmp/xe.exr"
@@ -102,6 +106,8 @@ edit method 's/highlight: random/highlight: magic/'
 bad "unknown method in a scene" "method.yaml:6: .*magic.*expected.*random" render "$tmp/method.yaml" -o "$tmp/x.exr"
 edit material 's/material: shiny/material: dull/'
 bad "unknown material" "material.yaml:9: .*dull" render "$tmp/material.yaml" -o "$tmp/x.exr"
+{ cat "$tmp/good.yaml" && printf 'render:\n  shadows: maybe\n'; } >"$tmp/shadows.yaml"
+bad "shadows in a scene" "shadows.yaml:1[0-9]: .*maybe" render "$tmp/shadows.yaml" -o "$tmp/x.exr"
 edit shape 's/shape: sphere/shape: cube/'
 bad "unknown shape" "shape.yaml:8: .*cube" render "$tmp/shape.yaml" -o "$tmp/x.exr"
 edit number 's/width: 32/width: wide/'

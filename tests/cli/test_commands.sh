@@ -90,6 +90,13 @@ check "plan prints JSON" sh -c "'$rl' plan $scene --format json | head -c 1 | gr
 check "random 4" "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/a.exr"
 check "the same again, by the environment's backend" env ROUGHLIGHT_BACKEND=osmesa "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/b.exr"
 check "reference" "$rl" render $scene --size 64x48 --method reference -o "$tmp/r.exr"
+ball=studies/scenes/ball-shadow.yaml
+check "shadows by a scene's wish" "$rl" render $ball --size 64x48 -o "$tmp/shadow.exr"
+check "shadows off" "$rl" render $ball --size 64x48 --shadows off -o "$tmp/open.exr"
+check "shadows only darken" sh -c "'$rl' compare '$tmp/shadow.exr' '$tmp/open.exr' |
+    awk -F'\t' 'NR == 2 { ok = \$3 > 0.1 && \$4 < -0.005 } END { exit !ok }'"
+check "plan shows shadows" sh -c "'$rl' plan $ball | grep -q '^effect.shadows'"
+check "plan shows none when they are off" sh -c "! '$rl' plan $ball --shadows off | grep -q shadows"
 budget() {
     "$rl" render $scene --size 64x48 --method reference --max-seconds "$1" --errors "$tmp/errors.exr" -o "$tmp/budget.exr" 2>&1
 }

@@ -42,6 +42,7 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
         {"roughlight:normal_bits", "half"},
         {"roughlight:env_format", "r11g11b10f"},
         {"roughlight:attenuation", "off"},
+        {"roughlight:shadows", "off"},
         {"roughlight:frame", "printed"},
         {"roughlight:light_from", "object"},
         {"roughlight:seed", "12345678901234567890"},
@@ -58,6 +59,12 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
     expect_number(image, "roughlight:tolerance", 0x1p-20);
     expect_number(image, "roughlight:seconds", 0.5);
     expect_number(image, "roughlight:threads", 3.0);
+    expect_number(image, "roughlight:foreground", 4.0);
+    expect_number(image, "roughlight:within_tolerance", 3.0);
+    expect_number(image, "roughlight:worst_error", 0.5);
+    expect_number(image, "roughlight:rms_error", 0.25);
+    expect_number(image, "roughlight:mean_error", 0.125);
+    expect_number(image, "roughlight:max_seconds", 10.0);
     const struct rl_attribute *materials = rl_image_attribute(image, "roughlight:materials");
     assert_non_null(materials);
     assert_non_null(strstr(materials->string, "regular 21, R_r 7"));
@@ -93,6 +100,8 @@ static void test_stamp(void **state)
     check_ok(rl_plan_make(&plan, &scene, &s, &error), &error);
     check_ok(rl_image_allocate(&image, 2, 2, 4, &error), &error);
     check_ok(rl_stamp_image(&image, &scene, &plan, "a test", 3, 0.5, &error), &error);
+    const struct rl_stamp_accuracy accuracy = {4, 3, 0.5, 0.25, 0.125, 10.0};
+    check_ok(rl_stamp_accuracy(&image, &accuracy, &error), &error);
     expect_stamp(&image, &scene);
 
     temporary_make(&folder);
