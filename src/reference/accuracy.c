@@ -13,9 +13,14 @@ static const double surely = 0.98;
 
 int rl_accuracy_passes(double tolerance[RL_PASSES_MAX], double wanted)
 {
+    /* One pass less than a step that would hardly be one. */
+    const double barely = 3.0;
+    double t = loosest;
     int n = 0;
-    for (double t = loosest; n < RL_PASSES_MAX - 1 && t > 3.0 * wanted; t *= step)
+    while (n < RL_PASSES_MAX - 1 && t > barely * wanted) {
         tolerance[n++] = t;
+        t *= step;
+    }
     tolerance[n++] = wanted;
     return n;
 }

@@ -10,24 +10,29 @@ static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)
     return v3(v3_dot(f->T, a), v3_dot(f->B, a), v3_dot(f->N, a));
 }
 
+/* The memory in its new size; what it was, and *room false, if there is none. */
+static void *grow(void *memory, size_t bytes, bool *room)
+{
+    void *more = realloc(memory, bytes);
+    if (more)
+        return more;
+    *room = false;
+    return memory;
+}
+
 /* Room for one edge more. An edge meets a line at most twice, and n cuts make n + 1 parts. */
 static bool reserve(struct rl_occlusion *o)
 {
     if (o->n_edges < o->capacity)
         return true;
     size_t capacity = o->capacity > 0 ? 2 * o->capacity : 64;
-    struct rl_shadow_edge *edge = realloc(o->edge, capacity * sizeof *edge);
-    o->edge = edge ? edge : o->edge;
-    struct rl_cut *cut = realloc(o->cut, 2 * capacity * sizeof *cut);
-    o->cut = cut ? cut : o->cut;
-    struct rl_part *part = realloc(o->part, (2 * capacity + 1) * sizeof *part);
-    o->part = part ? part : o->part;
-    struct rl_turn *turn = realloc(o->turn, 2 * capacity * sizeof *turn);
-    o->turn = turn ? turn : o->turn;
-    if (!edge || !cut || !part || !turn)
-        return false;
-    o->capacity = capacity;
-    return true;
+    bool room = true;
+    o->edge = grow(o->edge, capacity * sizeof *o->edge, &room);
+    o->turn = grow(o->turn, 2 * capacity * sizeof *o->turn, &room);
+    o->cut = grow(o->cut, 2 * capacity * sizeof *o->cut, &room);
+    o->part = grow(o->part, (2 * capacity + 1) * sizeof *o->part, &room);
+    o->capacity = room ? capacity : o->capacity;
+    return room;
 }
 
 /* The same frame as rl_lines_make has. */

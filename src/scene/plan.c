@@ -252,7 +252,7 @@ static int check_shadows(const struct rl_plan *plan, const struct rl_scene *scen
 {
     for (size_t i = 0; i < plan->n_materials && plan->settings.shadows; i++) {
         const struct rl_method *method = plan->material[i].method;
-        if (method && (!method->on_cpu || method->shade))
+        if (method && (!method->on_cpu || method->shade || method->needs_environment))
             return rl_fail(error, RL_ERR_INPUT,
                            "%s: shadows are on, which the method %s cannot draw, expected a method that "
                            "integrates on the CPU: --method reference, or --shadows off",

@@ -301,7 +301,8 @@ static void test_round_body(void **state)
         static const int split[6][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}};
         int cell = i / 6;
         double phi = 2.0 * RL_PI * ((cell % AROUND + split[i % 6][0]) % AROUND) / AROUND;
-        double theta = RL_PI * (cell / AROUND + split[i % 6][1]) / DOWN;
+        int row = cell / AROUND;
+        double theta = RL_PI * (row + split[i % 6][1]) / DOWN;
         corner[n][0] = (float)(0.5 * sin(theta) * cos(phi));
         corner[n][1] = (float)(0.5 * sin(theta) * sin(phi));
         corner[n++][2] = (float)(0.875 + 0.5 * cos(theta));
