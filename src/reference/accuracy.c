@@ -4,7 +4,7 @@
 #include <math.h>
 
 /* Measured over the example scenes: the panels' first rule is nine tenths of an image's time whatever the tolerance from 1e-1 to
- * 1e-5, so nothing is gained by a pass looser than 1e-2; and after it a factor of 100 more costs 5 to 10 per cent. */
+ * 1e-5, so nothing is gained by a pass looser than 1e-2; and after it a factor of 100 more costs 20 per cent at most. */
 static const double loosest = 1e-2, step = 1e-2;
 
 /* Of the tolerance, how much a loose pass must reach for the last one to stop at the same step: rl_integrate_lines keeps a
