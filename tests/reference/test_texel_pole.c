@@ -50,8 +50,9 @@ static void test_against_midpoints(void **state)
         x += uniform(&d, -half, half) + (at_pole ? 0.0 : 3.0 * half);
         y += uniform(&d, -half, half);
         for (int k = 0; k < POINTS * POINTS; k++) {
-            double u = x + half * ((2 * (k % POINTS) + 1.0) / POINTS - 1.0);
-            double v = y + half * ((2 * (k / POINTS) + 1.0) / POINTS - 1.0);
+            int column = k % POINTS, row = k / POINTS;
+            double u = x + half * ((2 * column + 1.0) / POINTS - 1.0);
+            double v = y + half * ((2 * row + 1.0) / POINTS - 1.0);
             sum += weight(&s, &e, attenuation, v3_normalize(rl_cube_direction(face, u, v))) *
                    pow(1.0 + u * u + v * v, -1.5);
         }
