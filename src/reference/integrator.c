@@ -107,10 +107,11 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
         n += rl_occlusion_breaks(job->breaks + n, options->occlusion, &job->lines);
     n = rl_panels_between(job->panel, job->breaks, n);
     memset(job->trace, 0, n * sizeof *job->trace);
-    /* A little is left for rounding, which comes on top. */
+    /* A little is left for rounding, which comes on top: mostly less than this many units of the brightest light. */
+    static const double rounding = 1.5e-13;
     double tolerance = options->tolerance * set->brightest;
     const struct rl_quadrature_options quadrature = {
-        .tolerance = 0.99 * RL_PI * tolerance,
+        .tolerance = RL_PI * fmax(0.5 * tolerance, 0.99 * tolerance - rounding * set->brightest),
         .max_evaluations = options->max_evaluations,
         .controlled = set->grey ? 1 : 3,
     };

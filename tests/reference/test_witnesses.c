@@ -119,7 +119,7 @@ static void test_cubature_agrees(void **state)
     for (int i = 0; i < CASES; i++) {
         struct question q = ask(&d, i);
         struct rl_estimate truth = answer("reference", &q, 1e-10, 0, 0.0, 0);
-        struct rl_estimate r = answer("cubature", &q, 1e-7, 0, 0.0, 0);
+        struct rl_estimate r = answer("cubature", &q, 1e-8, 0, 0.0, 0);
         assert_true(truth.converged && r.converged);
         check_agreement("cubature", i, &truth, &r);
         r = answer("cubature", &q, 1e-3, 0, 0.0, 0);
