@@ -23,12 +23,20 @@ struct page {
     size_t plots_done, plots_total;
 };
 
-static size_t count_scenes(const struct rl_run *run)
+/* The figures of a scene, or of the cases without one. */
+static const struct rl_figure *figures_of(const struct rl_study *study, const char *scene, size_t *n)
 {
-    size_t n = 0;
-    while (rl_run_scene(run, n))
-        n++;
-    return n;
+    bool alone = strcmp(scene, RL_NO_SCENE) == 0;
+    *n = alone ? study->n_figures_alone : study->n_figures;
+    return alone ? study->figures_alone : study->figures;
+}
+
+static size_t count_plots(const struct rl_study *study, const struct rl_run *run)
+{
+    size_t total = 0, n;
+    for (size_t i = 0; rl_run_scene(run, i); i++, total += n)
+        figures_of(study, rl_run_scene(run, i), &n);
+    return total;
 }
 
 static bool measured(const struct rl_run *run)
@@ -112,6 +120,22 @@ static int plot(struct page *p, const struct rl_study *study, const struct rl_fi
     return RL_OK;
 }
 
+static int add_figures(struct page *p, const struct rl_study *study, const char *scene)
+{
+    size_t n;
+    const struct rl_figure *figure = figures_of(study, scene, &n);
+    int status = RL_OK;
+    rl_html_element(&p->text, "h3", strcmp(scene, RL_NO_SCENE) == 0 ? "without a scene" : scene);
+    rl_buffer_add(&p->text, "<div class=\"plots\">\n");
+    for (size_t f = 0; f < n && status == RL_OK; f++) {
+        if (rl_progress_cancelled(p->progress))
+            return rl_fail(p->error, RL_ERR_CANCELLED, "interrupted while the plots were drawn");
+        status = plot(p, study, &figure[f], scene);
+    }
+    rl_buffer_add(&p->text, "</div>\n");
+    return status;
+}
+
 static int add_study(struct page *p, const struct rl_study *study, const struct rl_run *run)
 {
     rl_buffer_printf(&p->text, "<h2 id=\"%s\">Study %s</h2>\n", study->name, study->name);
@@ -120,16 +144,9 @@ static int add_study(struct page *p, const struct rl_study *study, const struct 
     if (!measured(run))
         return RL_OK;
     int status = RL_OK;
-    for (size_t i = 0; rl_run_scene(run, i) && status == RL_OK; i++) {
-        rl_html_element(&p->text, "h3", rl_run_scene(run, i));
-        rl_buffer_add(&p->text, "<div class=\"plots\">\n");
-        for (size_t f = 0; f < study->n_figures && status == RL_OK; f++) {
-            if (rl_progress_cancelled(p->progress))
-                return rl_fail(p->error, RL_ERR_CANCELLED, "interrupted while the plots were drawn");
-            status = plot(p, study, &study->figures[f], rl_run_scene(run, i));
-        }
-        rl_buffer_add(&p->text, "</div>\n");
-    }
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++)
+        status = add_figures(p, study, scene);
     for (size_t t = 0; t < study->n_tables && status == RL_OK; t++) {
         char file[128];
         snprintf(file, sizeof file, "%s.tsv", study->tables[t].name);
@@ -227,8 +244,7 @@ static int build(struct page *p)
     add_verdicts(p);
     int status = add_gallery(p);
     for (size_t i = 0; i < rl_n_studies; i++)
-        p->plots_total +=
-            measured(&p->data->run[i]) ? count_scenes(&p->data->run[i]) * rl_studies[i]->n_figures : 0;
+        p->plots_total += measured(&p->data->run[i]) ? count_plots(rl_studies[i], &p->data->run[i]) : 0;
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
         if (p->data->run[i].n_records > 0)
             status = add_study(p, rl_studies[i], &p->data->run[i]);

@@ -51,6 +51,17 @@ static void scene_name(char name[RL_NAME_MAX], const char *path)
         *dot = '\0';
 }
 
+static int next_group(const struct work *w)
+{
+    return w->run.n_records ? w->run.record[w->run.n_records - 1].group + 1 : 0;
+}
+
+static int plan_alone(struct work *w, struct rl_error *error)
+{
+    const struct rl_place place = {w->study->name, RL_NO_SCENE, "", 0};
+    return w->study->plan_alone(&w->run, &place, w->options->grid, next_group(w), error);
+}
+
 static int plan_scene(struct work *w, const char *path, struct rl_error *error)
 {
     if (w->n_scenes == SCENES_MAX)
@@ -62,13 +73,15 @@ static int plan_scene(struct work *w, const char *path, struct rl_error *error)
     w->n_scenes++;
     char name[RL_NAME_MAX];
     scene_name(name, path);
+    if (strcmp(name, RL_NO_SCENE) == 0)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "--scene: %s: '%s' stands for no scene, expected a file of another name", path, name);
     for (size_t i = 0; i < w->run.n_records; i++)
         if (strcmp(w->run.record[i].scene, name) == 0)
             return rl_fail(error, RL_ERR_INPUT, "--scene: %s: a scene called '%s' was given before", path,
                            name);
     struct rl_place place = {w->study->name, name, path, scene->hash};
-    int first_group = w->run.n_records ? w->run.record[w->run.n_records - 1].group + 1 : 0;
-    return w->study->plan(&w->run, &place, w->options->grid, first_group, error);
+    return w->study->plan(&w->run, &place, w->options->grid, next_group(w), error);
 }
 
 static int plan(struct work *w, struct rl_error *error)
@@ -77,7 +90,7 @@ static int plan(struct work *w, struct rl_error *error)
     snprintf(w->run.study, sizeof w->run.study, "%s", w->study->name);
     snprintf(w->run.grid, sizeof w->run.grid, "%s", rl_grid_name(w->options->grid));
     rl_provenance_now(w->run.started);
-    int status = RL_OK;
+    int status = w->study->plan_alone ? plan_alone(w, error) : RL_OK;
     for (size_t i = 0; i < w->options->n_scenes && status == RL_OK; i++)
         status = plan_scene(w, w->options->scenes[i], error);
     for (size_t i = 0; !w->options->n_scenes && w->study->scenes[i] && status == RL_OK; i++)
@@ -107,8 +120,11 @@ static int group_done(struct work *w, size_t first, size_t end, bool *done, stru
     return status;
 }
 
+/* NULL for a case without one. */
 static const struct rl_scene *scene_of(const struct work *w, const struct rl_record *r)
 {
+    if (strcmp(r->scene, RL_NO_SCENE) == 0)
+        return NULL;
     uint64_t hash = strtoull(r->scene_hash, NULL, 16);
     size_t i = 0;
     while (w->scene[i].hash != hash)

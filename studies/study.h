@@ -29,6 +29,9 @@ enum rl_grid {
 /* "quick", "default", "full" */
 const char *rl_grid_name(enum rl_grid grid);
 
+/* In a record's place: cases that no scene enters into. */
+#define RL_NO_SCENE "none"
+
 /* A picture that plots/NAME.gp draws: `name` is handed to the script and is part of the file's name, NAME-name.svg. */
 struct rl_figure {
     const char *name;
@@ -43,12 +46,18 @@ struct rl_study {
         *scenes; /* names of shipped scenes, NULL at the end: what it runs on if none is given */
     const struct rl_table *tables;
     size_t n_tables;
-    const struct rl_figure *figures;
+    const struct rl_figure *figures; /* of each scene */
     size_t n_figures;
+    const struct rl_figure *figures_alone; /* of the cases without a scene */
+    size_t n_figures_alone;
     /* Adds the cases of one scene to `run`. Groups are numbered from `first_group` on. */
     int (*plan)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
                 struct rl_error *error);
-    /* Measures the n records of one group: fills metrics and series. An error makes the group's cases failed ones. */
+    /* The same for the cases that no scene enters into, planned before any scene's; NULL: there are none. */
+    int (*plan_alone)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
+                      struct rl_error *error);
+    /* Measures the n records of one group: fills metrics and series. An error makes the group's cases failed ones. `scene` is NULL
+     * for those of plan_alone. */
     int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                    struct rl_error *error);
     /* Judges what was measured, scene by scene; a claim whose cases are missing is inconclusive. */
@@ -61,10 +70,10 @@ extern const size_t rl_n_studies;
 /* NULL if there is none of that name. */
 const struct rl_study *rl_study_find(const char *name);
 
-/* Writes "roughlight study run NAME --scene SCENE" with the run's grid into a claim, and the study's name. */
+/* Writes "roughlight study run NAME --scene SCENE" (without --scene for RL_NO_SCENE) with the run's grid into a claim, and the study's name. */
 void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene);
 
-/* The i-th different scene among a run's records, by name; NULL past the last. */
+/* The i-th different scene among a run's records, by name, RL_NO_SCENE included; NULL past the last. */
 const char *rl_run_scene(const struct rl_run *run, size_t i);
 
 #endif

@@ -76,7 +76,9 @@ void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const cha
             path = run->record[i].scene_path;
     bool is_default = strcmp(run->grid, rl_grid_name(RL_GRID_DEFAULT)) == 0;
     quote_word(word, sizeof word, path);
+    bool alone = strcmp(scene, RL_NO_SCENE) == 0;
     snprintf(claim->study, sizeof claim->study, "%s", run->study);
-    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s --scene %.199s%s%.20s",
-             run->study, word, is_default ? "" : " --", is_default ? "" : run->grid);
+    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s%s%.199s%s%.20s", run->study,
+             alone ? "" : " --scene ", alone ? "" : word, is_default ? "" : " --",
+             is_default ? "" : run->grid);
 }

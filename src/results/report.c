@@ -136,7 +136,7 @@ static void scene_pairs(struct rl_buffer *page, const struct rl_run *run)
     const char *last = "";
     for (size_t i = 0; i < run->n_records; i++) {
         const struct rl_record *r = &run->record[i];
-        if (strcmp(r->scene_hash, last) == 0)
+        if (r->scene_path[0] == '\0' || strcmp(r->scene_hash, last) == 0) /* "": without a scene */
             continue;
         last = r->scene_hash;
         snprintf(text, sizeof text, "%.180s, hash %s", r->scene_path, r->scene_hash);

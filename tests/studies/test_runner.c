@@ -42,7 +42,7 @@ static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, 
 {
     (void)bench;
     assert_int_equal(n, 2);
-    assert_true(scene->n_objects > 0);
+    assert_true(strcmp(records[0].scene, RL_NO_SCENE) == 0 ? scene == NULL : scene->n_objects > 0);
     int group = (int)rl_parameter_number(records[0].parameters, "number");
     script.measured[group]++;
     script.finished++;
@@ -71,6 +71,16 @@ static const struct rl_study study = {.name = "made-up",
                                       .plan = plan,
                                       .measure = measure,
                                       .judge = judge};
+
+/* The same with cases that no scene enters into: they are planned once, whatever the scenes. */
+static const struct rl_study study_alone = {.name = "made-up",
+                                            .summary = "",
+                                            .text = "",
+                                            .scenes = scenes,
+                                            .plan = plan,
+                                            .plan_alone = plan,
+                                            .measure = measure,
+                                            .judge = judge};
 
 static bool cancelled(void *user)
 {
@@ -166,6 +176,36 @@ static void test_interrupted(void **state)
         assert_int_equal(script.measured[g], 1);
 }
 
+static void test_without_a_scene(void **state)
+{
+    (void)state;
+    const struct rl_study *const studies[] = {&study_alone};
+    const char *const two[] = {"sphere-quad", "teapot-star"};
+    reset("alone.db");
+    struct rl_run_options options = {.database = database,
+                                     .cache = cache,
+                                     .backend = "osmesa",
+                                     .grid = RL_GRID_QUICK,
+                                     .scenes = two,
+                                     .n_scenes = 2};
+    struct rl_run_outcome o;
+    assert_int_equal(rl_studies_run(&o, studies, 1, &options, NULL, NULL), RL_OK);
+    assert_true(o.planned == 12 && o.measured == 12 && o.failed == 0);
+    struct rl_run loaded;
+    load(&loaded);
+    assert_string_equal(rl_run_scene(&loaded, 0), RL_NO_SCENE);
+    assert_string_equal(rl_run_scene(&loaded, 1), "sphere-quad");
+    assert_string_equal(rl_run_scene(&loaded, 2), "teapot-star");
+    assert_null(rl_run_scene(&loaded, 3));
+    assert_int_equal(loaded.record[11].group, 5);
+    struct rl_claim claim;
+    rl_claim_source(&claim, &loaded, RL_NO_SCENE);
+    assert_string_equal(claim.command, "roughlight study run made-up --quick");
+    rl_claim_source(&claim, &loaded, "sphere-quad");
+    assert_string_equal(claim.command, "roughlight study run made-up --scene sphere-quad --quick");
+    rl_run_clear(&loaded);
+}
+
 static void test_scenes(void **state)
 {
     (void)state;
@@ -220,8 +260,11 @@ static int remove_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_skips_what_is_done), cmocka_unit_test(test_tries_failures_again),
-        cmocka_unit_test(test_interrupted),        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_skips_what_is_done),
+        cmocka_unit_test(test_tries_failures_again),
+        cmocka_unit_test(test_interrupted),
+        cmocka_unit_test(test_without_a_scene),
+        cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_settings),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
