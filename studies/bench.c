@@ -75,13 +75,16 @@ int rl_bench_settings(struct rl_settings *settings, const char *parameters, stru
         status = rl_parse_normal_bits(&settings->normal_bits, text, "normal_bits", error);
     if (status == RL_OK && rl_parameter(parameters, "env_format", text, sizeof text))
         status = rl_parse_texel_format(&settings->env_format, text, "env_format", error);
+    if (status == RL_OK && rl_parameter(parameters, "frame", text, sizeof text))
+        status = rl_parse_frame(&settings->frame, text, "frame", error);
+    if (status == RL_OK && rl_parameter(parameters, "margin", text, sizeof text))
+        status = rl_parse_margin(&settings->margin_kind, &settings->margin, text, "margin", error);
     const struct {
         const char *key;
         int *value;
     } integer[] = {
-        {"samples", &settings->samples},
-        {"env_size", &settings->env_size},
-        {"width", &settings->width},
+        {"samples", &settings->samples},   {"normal_size", &settings->normal_size},
+        {"env_size", &settings->env_size}, {"width", &settings->width},
         {"height", &settings->height},
     };
     for (size_t i = 0; i < sizeof integer / sizeof integer[0] && status == RL_OK; i++)
