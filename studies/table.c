@@ -7,10 +7,12 @@
 
 extern const struct rl_study rl_study_samples;
 extern const struct rl_study rl_study_fps;
+extern const struct rl_study rl_study_accuracy;
 
 const struct rl_study *const rl_studies[] = {
     &rl_study_samples,
     &rl_study_fps,
+    &rl_study_accuracy,
 };
 
 const size_t rl_n_studies = sizeof rl_studies / sizeof rl_studies[0];

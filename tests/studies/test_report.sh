@@ -47,7 +47,7 @@ refused "a text file as database" "not an SQLite database" study report --db "$t
 check "which is left as it was" grep -q "not a database, but" "$tmp/text.db"
 
 "$rl" study list >"$tmp/list.tsv"
-check "list has both studies" [ "$(column study "$tmp/list.tsv" | tr '\n' ' ')" = "samples fps " ]
+check "list has every study" [ "$(column study "$tmp/list.tsv" | tr '\n' ' ')" = "samples fps accuracy " ]
 
 # ---- Killed, interrupted, finished, skipped --------------------------------------------------------------------------
 
@@ -80,7 +80,7 @@ rm -rf "$tmp/long"
 check "the next run finishes" [ $? -eq 0 ]
 "$rl" study status --db "$db" >"$tmp/status.tsv"
 check "every planned case is measured" [ "$(column planned "$tmp/status.tsv")" = "$(column measured "$tmp/status.tsv")" ]
-check "none failed" [ "$(column failed "$tmp/status.tsv" | tr '\n' ' ')" = "0 0 " ]
+check "none failed" [ "$(column failed "$tmp/status.tsv" | tr '\n' ' ')" = "0 0 0 " ]
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
 check "one more run has nothing to do" grep -q "^36 cases: 0 measured, 36 done before, 0 failed" "$tmp/stderr"
 check "references are computed once each" [ "$(ls "$tmp/cache" | wc -l)" -eq 4 ]
@@ -98,6 +98,17 @@ check "and is named with the reason" grep -q "failed: fps sphere-quad arm=random
 "$rl" study run fps --quick --scene sphere-quad --db "$tmp/broken.db" 2>"$tmp/stderr"
 check "with the fault repaired it is tried again" grep -q "6 cases: 6 measured, 0 done before, 0 failed" "$tmp/stderr"
 
+# ---- The study that has cases without a scene ---------------------------------------------------------------------
+
+"$rl" study run accuracy --quick --db "$db" 2>"$tmp/stderr"
+check "accuracy runs" [ $? -eq 0 ]
+"$rl" study run accuracy --quick --scene teapot-star --db "$tmp/r2.db" 2>/dev/null &
+pid=$!
+sleep 0.2
+kill -INT $pid
+wait $pid
+check "and stops on Ctrl-C" [ $? -eq 130 ]
+
 # ---- Tables ------------------------------------------------------------------------------------------------------
 
 "$rl" study export --db "$db" -o "$tmp/tables" && "$rl" study export --db "$db" --format json -o "$tmp/tables"
@@ -107,11 +118,18 @@ check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.
     grep -vx 'holds\|holds up to\|fails\|inconclusive')" ]
 check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 25 ]
 check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 13 ]
+check "a row each case of accuracy" [ "$(cat "$tmp"/tables/accuracy_*.tsv | wc -l)" -eq \
+    $((3 + $("$rl" study status --db "$db" | awk -F "$tab" '$1 == "accuracy" { print $5 }'))) ]
+for integrator in reference cubature montecarlo vegas cubature-uv; do
+    check "accuracy has the integrator $integrator" [ "$(column integrator "$tmp/tables/accuracy_points.tsv" | grep -cx $integrator)" -gt 0 ]
+done
+check "the reference is within every tolerance" [ "$(awk -F "$tab" 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+    $c["integrator"] == "reference" && !($c["error_max"] <= $c["tolerance"])' "$tmp/tables/accuracy_points.tsv" | wc -l)" -eq 0 ]
 check "raw frame times" [ "$(wc -l <"$tmp/tables/frame_times.tsv")" -gt 120 ]
 for column in rmse rmse_low rmse_high noise floor bias relmse max frame_ms samples rr env_size_px scene_hash; do
     check "samples.tsv has a column $column" [ -n "$(column $column "$tmp/tables/samples.tsv" | head -n 1)" ]
 done
-for table in claims samples fps frame_times; do
+for table in claims samples fps accuracy_points frame_times; do
     check "$table.json is an array of objects" [ "$(head -c 5 "$tmp/tables/$table.json" | tr -d '\n')" = "[  {" ]
 done
 
@@ -126,8 +144,11 @@ missing=$(grep -o '\(src\|href\)="[^"#][^"]*"' "$page" | sed 's/.*="//; s/"$//' 
 done)
 check "every file it refers to is there ($missing)" [ -z "$missing" ]
 check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
-check "every figure is drawn, as SVG and as PNG" [ "$(ls "$tmp"/report/samples-*.svg "$tmp"/report/fps-*.svg | wc -l)" -eq 8 \
-    -a "$(ls "$tmp"/report/samples-*.png "$tmp"/report/fps-*.png | wc -l)" -eq 8 ]
+for study in samples:4 fps:4 accuracy:5; do
+    n=${study#*:} study=${study%:*}
+    check "every figure of $study is drawn, as SVG and as PNG" [ "$(ls "$tmp"/report/$study-*.svg | wc -l)" -eq $n \
+        -a "$(ls "$tmp"/report/$study-*.png | wc -l)" -eq $n ]
+done
 check "and none is missing" [ "$(grep -c 'nothing to draw' "$page")" -eq 0 ]
 cp shaders/methods/random.glsl "$tmp/empty/shaders/methods/"
 echo "oops oops" >>"$tmp/empty/plots/samples.gp"

@@ -1,0 +1,94 @@
+# Figures of the study `accuracy`, from accuracy_points.tsv, accuracy_images.tsv and accuracy_kernel.tsv.
+#
+#   gnuplot -c plots/accuracy.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
+#
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is quad, star, kernel (SCENE is none) or seconds.
+folder = ARG2
+output = ARG3
+figure = ARG4
+scene = ARG5
+load ARG1
+
+if (figure eq "quad" || figure eq "star") {
+    data = folder . "/accuracy_points.tsv"
+    names = "reference cubature montecarlo vegas cubature-uv"
+    title_of(name) = name eq "cubature-uv" ? "cubature over (U, V)" : name eq "cubature" ? "cubature over area" : name eq "vegas" ? "VEGAS (GSL)" : name
+    row(name) = strcol("light") eq figure && strcol("integrator") eq name
+    # Below this, double precision has nothing to say: an error of 0 has no place on a logarithmic axis.
+    rounding = 1e-16
+    above(x) = x > rounding ? x : rounding
+    stats data using (strcol("light") eq figure ? column("time_us_high") : NaN) name "HIGH" nooutput
+    stats data using (strcol("light") eq figure ? column("time_us_low") : NaN) name "LOW" nooutput
+    if (!exists("HIGH_max")) { exit status 3 }
+    set title "Error against time: one " . (figure eq "quad" ? "quad light" : "star of ten edges")
+    set logscale xy
+    set xlabel "time of a point in microseconds, one core"
+    set ylabel "true error that 9 points in 10 stay below"
+    set format xy "10^{%L}"
+    set xrange [10 ** floor(log10(LOW_min)):10 ** ceil(log10(HIGH_max))]
+    set yrange [rounding / 3:3]
+    set ytics 100
+    bottom = rounding / 3
+    if (figure eq "quad") {
+        set arrow 1 from 20, bottom to 20, 3 nohead linestyle 90
+        set label 1 "20 us, the bar at a tolerance of 10^{-6}" at 22, 4e-15 left textcolor rgb "#6a7076" font ",12"
+    }
+    # Tolerances beside the marks, where those are apart.
+    labelled(name) = row(name) && (name eq "cubature" && column("tolerance") < 5e-5 || name eq "montecarlo" && column("tolerance") < 0.02 || name eq "vegas" && column("tolerance") < 2e-3)
+    side(name) = name eq "vegas" ? -1.1 : 0.8
+    plot for [i = 1:words(names)] data using (row(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))):"time_us_low":"time_us_high":(above(column("true_error"))):(above(column("error_max"))) \
+            with xyerrorbars linetype i dashtype 1 linewidth 0.5 pointsize 0.01 notitle, \
+        for [i = 1:words(names)] data using (row(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))) \
+            with linespoints linetype i pointsize 1 title title_of(word(names, i)), \
+        for [i = 1:words(names)] data using (labelled(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))):(sprintf("%g", column("tolerance"))) \
+            with labels offset 0.8, side(word(names, i)) left font ",11" textcolor rgb "#57606a" notitle
+}
+
+if (figure eq "kernel") {
+    data = folder . "/accuracy_kernel.tsv"
+    stats data using "texel_normals_low" name "RATE" nooutput
+    if (!exists("RATE_max")) { exit status 3 }
+    stats data using "texel_normals_high" name "HIGH" nooutput
+    sets = "plain avx2 avx512"
+    place(s) = s eq "plain" ? 1 : s eq "avx2" ? 2 : 3
+    label(s) = s eq "plain" ? "plain C" : s eq "avx2" ? "AVX2" : "AVX-512"
+    set title "Exhaustive's inner loop"
+    set logscale y
+    set format y "10^{%L}"
+    set mytics 10
+    set ylabel "texel-normals per second"
+    set grid noxtics
+    set xrange [0.5:3.5]
+    set yrange [10 ** floor(log10(RATE_min)):2 * (HIGH_max > 1e9 ? HIGH_max : 1e9)]
+    set xtics ("plain C" 1, "AVX2" 2, "AVX-512" 3)
+    on(t) = column("threads") == t ? place(strcol("simd")) + (t - 1.5) * 0.12 : NaN
+    plot for [t = 1:2] data using (on(t)):"texel_normals":"texel_normals_low":"texel_normals_high" \
+            with yerrorbars linetype t dashtype 1 pointsize 1.2 linewidth 1.4 title (t == 1 ? "1 thread" : "2 threads"), \
+        for [t = 1:2] data using (on(t)):"texel_normals":(sprintf("%.3g", column("texel_normals"))) \
+            with labels offset (t == 1 ? -4.2 : 4.2), 0 font ",13" notitle, \
+        1e9 with lines linestyle 90 title "10^9"
+}
+
+if (figure eq "seconds") {
+    data = folder . "/accuracy_images.tsv"
+    here(t) = strcol("scene") eq scene && strcol("method") eq "reference" && column("threads") == t ? column("tolerance") : NaN
+    stats data using (strcol("scene") eq scene ? column("seconds_high") : NaN) name "S" nooutput
+    if (!exists("S_max")) { exit status 3 }
+    stats data using (strcol("scene") eq scene ? column("width_px") : NaN) name "W" nooutput
+    stats data using (strcol("scene") eq scene ? column("height_px") : NaN) name "H" nooutput
+    stats data using (strcol("scene") eq scene && strcol("method") eq "reference" ? column("threads") : NaN) name "T" nooutput
+    bar = scene eq "sphere-quad" ? 2 : scene eq "teapot-star" ? 5 : NaN
+    shown = W_max == 640 && H_max == 480 && bar > 0
+    set title sprintf("Seconds an image: %s, %d x %d", scene, W_max, H_max)
+    set logscale x
+    set format x "10^{%L}"
+    set xlabel "tolerance"
+    set ylabel "seconds"
+    set xrange [1e-2:1e-11] reverse
+    set xtics 10
+    set mxtics 1
+    set yrange [0:1.2 * (shown && bar > S_max ? bar : S_max)]
+    plot for [t = 1:T_max] data using (here(t)):"seconds":"seconds_low":"seconds_high" with yerrorbars linetype t dashtype 1 pointsize 0.01 notitle, \
+        for [t = 1:T_max] data using (here(t)):"seconds" smooth unique with linespoints linetype t pointsize 1.2 title sprintf("%d thread%s", t, t > 1 ? "s" : ""), \
+        (shown ? bar : NaN) with lines linestyle 90 title (shown ? sprintf("%g s, at 10^{-6} on two cores", bar) : "")
+}

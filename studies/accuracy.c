@@ -1,0 +1,265 @@
+/* The study `accuracy`: what a true digit costs.
+ *
+ * Three parts. Points: every integrator of the highlight at one point, over its tolerances, on the fixed points of points.h: time
+ * and true error. Images: whole images by the reference, over tolerances and threads. Kernel: the inner loop of exhaustive. Only
+ * images have a scene. */
+#include "studies/accuracy.h"
+
+#include "base/machine.h"
+#include "base/simd.h"
+#include "studies/points.h"
+
+enum { TOLERANCES_MAX = 12 };
+
+/* The claim about cubature-uv's time is judged at this tolerance on quads. It is right at one point in eight, so that there are more
+ * points here. */
+static const double ratio_tolerance = 1e-5;
+
+/* An integrator's tolerances, ascending in cost; 0 ends the list. It stops where it would by itself (max_evaluations=0). */
+struct row {
+    const char *integrator;
+    double tolerance[TOLERANCES_MAX];
+    bool quads_only;
+};
+
+struct grid {
+    int points, points_of_ratio;
+    struct row row[8]; /* one without a name ends the list */
+    int width, height;
+    double tolerance[8]; /* of images; 0 ends the list */
+    int rounds, rounds_of_speed_up;
+    double kernel_seconds;
+    int kernel_rounds;
+};
+
+/* cubature-uv has rows of its own for the tolerances at which it takes millions of evaluations. */
+static const struct grid grids[] = {
+    [RL_GRID_QUICK] = {.points = 10,
+                       .points_of_ratio = 20,
+                       .row = {{"reference", {1e-2, 1e-5, 1e-6, 1e-10, 1e-12}, false},
+                               {"cubature", {1e-2, 1e-6, 1e-9}, false},
+                               {"montecarlo", {1e-2, 3e-3, 1e-3}, false},
+                               {"vegas", {1e-3}, false},
+                               {"cubature-uv", {1e-2, 1e-3, 1e-4}, false},
+                               {"cubature-uv", {1e-5}, true}},
+                       .width = 160,
+                       .height = 120,
+                       .tolerance = {1e-3, 1e-8},
+                       .rounds = 3,
+                       .rounds_of_speed_up = 6,
+                       .kernel_seconds = 0.02,
+                       .kernel_rounds = 6},
+    [RL_GRID_DEFAULT] =
+        {.points = 100,
+         .points_of_ratio = 300,
+         .row = {{"reference", {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}, false},
+                 {"cubature", {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}, false},
+                 {"montecarlo", {1e-1, 3e-2, 1e-2, 3e-3, 1e-3}, false},
+                 {"vegas", {1e-3, 3e-4}, false},
+                 {"cubature-uv", {1e-2, 1e-3, 1e-4}, false},
+                 {"cubature-uv", {1e-5}, true}},
+         .width = 640,
+         .height = 480,
+         .tolerance = {1e-3, 1e-8},
+         .rounds = 3,
+         .rounds_of_speed_up = 6,
+         .kernel_seconds = 0.2,
+         .kernel_rounds = 6},
+    [RL_GRID_FULL] =
+        {.points = 1000,
+         .points_of_ratio = 1000,
+         .row = {{"reference", {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}, false},
+                 {"cubature", {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}, false},
+                 {"montecarlo", {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4}, false},
+                 {"vegas", {1e-3, 3e-4, 1e-4, 3e-5}, false},
+                 {"cubature-uv", {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}, false}},
+         .width = 640,
+         .height = 480,
+         .tolerance = {1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-8, 1e-10},
+         .rounds = 10,
+         .rounds_of_speed_up = 20,
+         .kernel_seconds = 0.5,
+         .kernel_rounds = 20},
+};
+
+static int threads_most(void)
+{
+    return rl_machine_threads() < 2 ? 1 : 2;
+}
+
+static int plan_row(struct rl_run *run, const struct rl_place *place, const struct grid *g,
+                    const struct row *row, enum rl_point_light_kind kind, int group, struct rl_error *error)
+{
+    for (int t = 0; t < TOLERANCES_MAX && row->tolerance[t] > 0.0; t++) {
+        bool more = kind == RL_POINT_QUAD && row->tolerance[t] == ratio_tolerance;
+        if (!rl_run_add(run, place, group, error,
+                        "part=points integrator=%s tolerance=%g light=%s points=%d max_evaluations=0",
+                        row->integrator, row->tolerance[t], rl_point_light_name(kind),
+                        more ? g->points_of_ratio : g->points))
+            return RL_ERR_SYSTEM;
+    }
+    return RL_OK;
+}
+
+static int plan_points(struct rl_run *run, const struct rl_place *place, const struct grid *g,
+                       enum rl_point_light_kind kind, int group, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (const struct row *row = g->row; row->integrator && status == RL_OK; row++)
+        if (kind == RL_POINT_QUAD || !row->quads_only)
+            status = plan_row(run, place, g, row, kind, group, error);
+    return status;
+}
+
+static int plan_kernel(struct rl_run *run, const struct rl_place *place, const struct grid *g, int group,
+                       struct rl_error *error)
+{
+    for (int simd = 0; simd <= (int)rl_simd_best(); simd++)
+        for (int threads = 1; threads <= threads_most(); threads++)
+            if (!rl_run_add(run, place, group, error,
+                            "part=kernel simd=%s threads=%d size=128 seconds=%g rounds=%d",
+                            rl_simd_name((enum rl_simd)simd), threads, g->kernel_seconds, g->kernel_rounds))
+                return RL_ERR_SYSTEM;
+    return RL_OK;
+}
+
+static int plan_alone(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
+                      struct rl_error *error)
+{
+    const struct grid *g = &grids[grid];
+    int status = RL_OK;
+    for (int kind = 0; kind < RL_POINT_KINDS && status == RL_OK; kind++)
+        status = plan_points(run, place, g, (enum rl_point_light_kind)kind, group++, error);
+    return status == RL_OK ? plan_kernel(run, place, g, group, error) : status;
+}
+
+static struct rl_record *plan_image(struct rl_run *run, const struct rl_place *place, const struct grid *g,
+                                    const char *method, double tolerance, int threads, int rounds, int group,
+                                    struct rl_error *error)
+{
+    return rl_run_add(
+        run, place, group, error,
+        "part=images method=%s tolerance=%g threads=%d width=%d height=%d env_size=256 rounds=%d", method,
+        tolerance, threads, g->width, g->height, rounds);
+}
+
+/* Three groups: at 1e-6 on one thread and two, in turns; the other tolerances, on as many threads as there may be; exhaustive, since a
+ * case that fails takes its group with it. */
+static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
+                struct rl_error *error)
+{
+    const struct grid *g = &grids[grid];
+    for (int threads = 1; threads <= threads_most(); threads++)
+        if (!plan_image(run, place, g, "reference", 1e-6, threads, g->rounds_of_speed_up, group, error))
+            return RL_ERR_SYSTEM;
+    group++;
+    for (int t = 0; g->tolerance[t] > 0.0; t++)
+        if (!plan_image(run, place, g, "reference", g->tolerance[t], threads_most(), g->rounds, group, error))
+            return RL_ERR_SYSTEM;
+    return plan_image(run, place, g, "exhaustive", 1e-6, threads_most(), g->rounds, group + 1, error)
+               ? RL_OK
+               : RL_ERR_SYSTEM;
+}
+
+static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
+                   struct rl_error *error)
+{
+    if (rl_parameters_match(records[0].parameters, "part=points"))
+        return rl_accuracy_measure_points(records, n, bench, error);
+    if (rl_parameters_match(records[0].parameters, "part=kernel"))
+        return rl_accuracy_measure_kernel(records, n, bench, error);
+    return rl_accuracy_measure_images(records, n, bench, scene, error);
+}
+
+static const struct rl_column point_columns[] = {
+    {"integrator", RL_COLUMN_TEXT, "integrator"},
+    {"light", RL_COLUMN_TEXT, "light"},
+    {"tolerance", RL_COLUMN_NUMBER, "tolerance"},
+    {"points", RL_COLUMN_NUMBER, "points"},
+    RL_COLUMNS_WITH_INTERVAL("time_us"),
+    RL_COLUMNS_WITH_INTERVAL("true_error"),
+    {"error_p90", RL_COLUMN_VALUE, "error_p90"},
+    {"error_max", RL_COLUMN_VALUE, "error_max"},
+    {"bounded", RL_COLUMN_VALUE, "bounded"},
+    {"within", RL_COLUMN_VALUE, "within"},
+    {"converged", RL_COLUMN_VALUE, "converged"},
+    RL_COLUMNS_WITH_INTERVAL("evaluations"),
+    {"max_evaluations", RL_COLUMN_NUMBER, "max_evaluations"},
+};
+
+static const struct rl_column image_columns[] = {
+    {"scene", RL_COLUMN_SCENE, NULL},
+    {"method", RL_COLUMN_TEXT, "method"},
+    {"tolerance", RL_COLUMN_NUMBER, "tolerance"},
+    {"threads", RL_COLUMN_NUMBER, "threads"},
+    {"width_px", RL_COLUMN_NUMBER, "width"},
+    {"height_px", RL_COLUMN_NUMBER, "height"},
+    {"rounds", RL_COLUMN_NUMBER, "rounds"},
+    RL_COLUMNS_WITH_INTERVAL("seconds"),
+    {"worst_error", RL_COLUMN_VALUE, "worst_error"},
+    {"unconverged_px", RL_COLUMN_VALUE, "unconverged"},
+    {"lines", RL_COLUMN_VALUE, "lines"},
+    RL_COLUMNS_WITH_INTERVAL("texel_normals"),
+    {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
+};
+
+static const struct rl_column kernel_columns[] = {
+    {"simd", RL_COLUMN_TEXT, "simd"},
+    {"threads", RL_COLUMN_NUMBER, "threads"},
+    {"rounds", RL_COLUMN_NUMBER, "rounds"},
+    RL_COLUMNS_WITH_INTERVAL("texel_normals"),
+};
+
+static const struct rl_table tables[] = {
+    {"accuracy_points",
+     "Points: median time, true error, how often the stated error bounds it, how often the integrator "
+     "converged",
+     "part=points", point_columns, sizeof point_columns / sizeof point_columns[0]},
+    {"accuracy_images", "Images: median seconds by tolerance and threads", "part=images", image_columns,
+     sizeof image_columns / sizeof image_columns[0]},
+    {"accuracy_kernel", "Exhaustive's inner loop: texel-normals per second by instruction set and threads",
+     "part=kernel", kernel_columns, sizeof kernel_columns / sizeof kernel_columns[0]},
+};
+
+#define POINT_CAPTION                                                                                        \
+    " Each mark is a tolerance: across, the median time of a point with its 95 % interval; up, the "         \
+    "true error that nine points in ten stay below, its bar from the median to the largest, errors below "   \
+    "1e-16 drawn there. Down and left is better. Vertical line: the bar of 20 us at 1e-6 for a quad."
+
+static const struct rl_figure figures_alone[] = {
+    {"quad", "Error against time, one quad light." POINT_CAPTION},
+    {"star", "Error against time, a star of ten edges." POINT_CAPTION},
+    {"kernel", "Exhaustive's inner loop: texel-normals per second, 95 % intervals of the median, mostly "
+               "smaller than the mark. Line: the bar of 1e9 on two threads."},
+};
+
+static const struct rl_figure figures[] = {
+    {"seconds", "Seconds an image against the tolerance asked for, median of rounds in turns with its 95 % "
+                "interval (of fewer than six rounds the shortest and the longest)."},
+};
+
+static const char *const scenes[] = {"sphere-quad", "teapot-star", NULL};
+
+const struct rl_study rl_study_accuracy = {
+    .name = "accuracy",
+    .summary = "integrators: time and true error against tolerance; images a second; exhaustive's rate",
+    .text =
+        "Every integrator of the highlight at one point takes its turn at fixed points (R_r 1 to 300, N.V "
+        "down "
+        "to 0.05, attenuation on, one light near the mirror direction), at every tolerance. Truth is the "
+        "reference at 1e-13, itself held against the others by the tests. Times are of the thread's own "
+        "clock, "
+        "after a warm-up where that makes a difference. Vegas stops after a fixed number of samples, whether "
+        "or not it has converged. Whole images are timed by the clock on the wall, threads in turns.",
+    .scenes = scenes,
+    .tables = tables,
+    .n_tables = sizeof tables / sizeof tables[0],
+    .figures = figures,
+    .n_figures = sizeof figures / sizeof figures[0],
+    .figures_alone = figures_alone,
+    .n_figures_alone = sizeof figures_alone / sizeof figures_alone[0],
+    .plan = plan,
+    .plan_alone = plan_alone,
+    .measure = measure,
+    .judge = rl_accuracy_judge,
+};

@@ -1,0 +1,111 @@
+/* The claims that the study `accuracy` judges about one scene's images, from seconds by round. */
+#include <stdio.h>
+#include <string.h>
+
+#include "studies/accuracy.h"
+
+typedef struct rl_accuracy_view view;
+
+/* The bars were set for the shipped scenes. */
+static const struct {
+    const char *scene;
+    double seconds;
+} bars[] = {{"sphere-quad", 2.0}, {"teapot-star", 5.0}};
+
+static const struct rl_series *seconds_of(const view *v, const char *pattern)
+{
+    const struct rl_record *r = rl_run_find(v->run, v->scene, pattern);
+    return r ? rl_record_series(r, "seconds") : NULL;
+}
+
+static struct rl_claim *begin_claim(const view *v, const char *text)
+{
+    char whole[240];
+    snprintf(whole, sizeof whole, "%.180s (%.40s)", text, v->scene);
+    return rl_accuracy_claim(v, whole);
+}
+
+static int claim_seconds(const view *v, double bar)
+{
+    char text[160];
+    snprintf(text, sizeof text, "an image of 640x480 to 1e-6 takes at most %g s on two cores", bar);
+    struct rl_claim *c = begin_claim(v, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_series *s =
+        seconds_of(v, "part=images method=reference tolerance=1e-06 threads=2 width=640 height=480");
+    if (!s)
+        return RL_OK;
+    struct rl_interval x = rl_median_interval(s->value, s->n, 0.95);
+    rl_claim_value(c, x.value, x.low, x.high, "s");
+    c->verdict = rl_verdict_at_most(x.low, x.high, bar);
+    snprintf(c->note, sizeof c->note, "%zu rounds, by the clock on the wall, on %.100s", s->n,
+             v->run->provenance.cpu);
+    return RL_OK;
+}
+
+static int claim_speed_up(const view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "two threads draw the image to 1e-6 at least 1.8 times as fast as one");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_series *one = seconds_of(v, "part=images method=reference tolerance=1e-06 threads=1"),
+                           *two = seconds_of(v, "part=images method=reference tolerance=1e-06 threads=2");
+    if (!one || !two)
+        return RL_OK;
+    struct rl_interval x = rl_ratio_interval(one->value, two->value, one->n < two->n ? one->n : two->n, 0.95);
+    rl_claim_value(c, x.value, x.low, x.high, "times");
+    c->verdict = rl_verdict_at_least(x.low, x.high, 1.8);
+    snprintf(c->note, sizeof c->note,
+             "paired by round; only where nothing else keeps the cores busy does it say much");
+    return RL_OK;
+}
+
+static int claim_growth(const view *v)
+{
+    struct rl_claim *c = begin_claim(v, "an image to 1e-8 takes at most twice as long as one to 1e-3");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_series *coarse = seconds_of(v, "part=images method=reference tolerance=0.001"),
+                           *fine = seconds_of(v, "part=images method=reference tolerance=1e-08");
+    if (!coarse || !fine)
+        return RL_OK;
+    struct rl_interval x =
+        rl_ratio_interval(fine->value, coarse->value, fine->n < coarse->n ? fine->n : coarse->n, 0.95);
+    rl_claim_value(c, x.value, x.low, x.high, "times");
+    c->verdict = rl_verdict_at_most(x.low, x.high, 2.0);
+    snprintf(c->note, sizeof c->note, "paired by round; Monte Carlo: 1e10 times");
+    return RL_OK;
+}
+
+static int claim_exhaustive(const view *v)
+{
+    struct rl_claim *c = begin_claim(
+        v, "exhaustive draws an image at 1e9 texel-normals per second or more on two threads, all included");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_record *r =
+        rl_run_find(v->run, v->scene, "part=images method=exhaustive threads=2 width=640 height=480");
+    const struct rl_metric *m = r ? rl_record_metric(r, "texel_normals") : NULL;
+    if (!m)
+        return RL_OK;
+    rl_claim_value(c, m->value, m->low, m->high, "texel-normals/s");
+    c->verdict = rl_verdict_at_least(m->low, m->high, 1e9);
+    snprintf(c->note, sizeof c->note, "with rays, maps and the texels about the poles; on %.100s",
+             v->run->provenance.cpu);
+    return RL_OK;
+}
+
+int rl_accuracy_judge_images(const struct rl_accuracy_view *v)
+{
+    int status = RL_OK;
+    for (size_t i = 0; i < sizeof bars / sizeof bars[0] && status == RL_OK; i++)
+        if (strcmp(bars[i].scene, v->scene) == 0)
+            status = claim_seconds(v, bars[i].seconds);
+    if (status == RL_OK)
+        status = claim_speed_up(v);
+    if (status == RL_OK)
+        status = claim_growth(v);
+    return status == RL_OK ? claim_exhaustive(v) : status;
+}

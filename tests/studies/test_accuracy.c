@@ -1,0 +1,388 @@
+/* The study `accuracy`: its points are fixed, its grid holds what its claims need, what it measures makes sense, and its verdicts follow
+ * from the figures. No bar of speed is tested here: the study judges those, on the machine that it runs on. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "reference/integrators.h"
+#include "scene/scene.h"
+#include "studies/points.h"
+#include "studies/study.h"
+
+static const struct rl_place alone = {"accuracy", RL_NO_SCENE, "", 0};
+static const struct rl_place place = {"accuracy", "sphere-quad", "sphere-quad", 1};
+
+/* As they were when the study was first run: another generator makes old and new figures incomparable. */
+static void test_points_are_fixed(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rl_point_light_kind kind;
+        size_t index;
+        double rr, v_x, last_x;
+    } known[] = {
+        {RL_POINT_QUAD, 0, 1.62488515897125, -0.394897836525958, 0.297137139074686},
+        {RL_POINT_QUAD, 99, 2.10489994789581, -0.920124165069303, 0.0129813537606903},
+        {RL_POINT_STAR, 0, 21.3350273129622, 0.340278209460503, 0.26678223864496},
+        {RL_POINT_STAR, 99, 3.03366469605639, -0.269397613087647, 1.49230633640548},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        struct rl_point p;
+        rl_point_make(&p, known[i].kind, known[i].index);
+        double last_x = p.vertex[p.n_vertices - 1].x;
+        printf("rr %.15g, V.x %.15g, last vertex's x %.15g\n", p.e.rr, p.surface.V.x, last_x);
+        assert_true(fabs(p.e.rr / known[i].rr - 1.0) < 1e-12);
+        assert_true(fabs(p.surface.V.x - known[i].v_x) < 1e-12);
+        assert_true(fabs(last_x - known[i].last_x) < 1e-12);
+    }
+}
+
+/* Each corner turns the same way. */
+static bool convex(const struct rl_point *p)
+{
+    rl_vec3 normal = v3(0.0, 0.0, 0.0);
+    for (size_t i = 0; i < p->n_vertices; i++) {
+        const rl_vec3 *a = &p->vertex[i], *b = &p->vertex[(i + 1) % p->n_vertices],
+                      *c = &p->vertex[(i + 2) % p->n_vertices];
+        rl_vec3 turn = v3_cross(v3_sub(*b, *a), v3_sub(*c, *b));
+        if (i > 0 && !(v3_dot(turn, normal) > 0.0))
+            return false;
+        normal = turn;
+    }
+    return true;
+}
+
+static void test_points_are_as_promised(void **state)
+{
+    (void)state;
+    double least_rr = INFINITY, most_rr = 0.0, least_v_n = 1.0;
+    for (size_t i = 0; i < 200; i++) {
+        struct rl_point p, star;
+        rl_point_make(&p, RL_POINT_QUAD, i);
+        rl_point_make(&star, RL_POINT_STAR, i);
+        assert_true(fabs(v3_length(p.surface.N) - 1.0) < 1e-14 && fabs(v3_length(p.surface.V) - 1.0) < 1e-14);
+        double v_n = v3_dot(p.surface.N, p.surface.V);
+        assert_true(v_n > 0.05 - 1e-12 && p.e.rr >= 1.0 && p.e.rr <= 300.0);
+        assert_true(p.n_vertices == 4 && star.n_vertices == 10);
+        assert_true(convex(&p) && !convex(&star));
+        least_rr = fmin(least_rr, p.e.rr);
+        most_rr = fmax(most_rr, p.e.rr);
+        least_v_n = fmin(least_v_n, v_n);
+    }
+    assert_true(least_rr < 1.2 && most_rr > 250.0 && least_v_n < 0.08);
+}
+
+static const struct rl_study *study(void)
+{
+    return rl_study_find("accuracy");
+}
+
+static double value(const struct rl_record *r, const char *metric)
+{
+    const struct rl_metric *m = rl_record_metric(r, metric);
+    if (!m)
+        fail_msg("no metric %s of %s", metric, r->parameters);
+    return m->value;
+}
+
+/* Few points and small budgets: milliseconds. */
+static void measure_few(struct rl_run *run)
+{
+    *run = (struct rl_run){.study = "accuracy", .grid = "quick"};
+    for (int e = 2; e <= 12; e += 2)
+        assert_non_null(
+            rl_run_add(run, &alone, 0, NULL,
+                       "part=points integrator=reference tolerance=%g light=star points=8 max_evaluations=0",
+                       pow(10.0, -e)));
+    static const char *const witness[] = {"cubature", "cubature-uv", "montecarlo", "vegas"};
+    for (size_t i = 0; i < sizeof witness / sizeof witness[0]; i++)
+        assert_non_null(
+            rl_run_add(run, &alone, 0, NULL,
+                       "part=points integrator=%s tolerance=0.01 light=star points=4 max_evaluations=20000",
+                       witness[i]));
+    struct rl_bench bench = {0};
+    struct rl_error error;
+    if (study()->measure(run->record, run->n_records, &bench, NULL, &error) != RL_OK)
+        fail_msg("%s", error.message);
+}
+
+static void test_measures_points(void **state)
+{
+    (void)state;
+    struct rl_run run, again;
+    measure_few(&run);
+    measure_few(&again);
+    for (size_t i = 0; i < run.n_records; i++) {
+        const struct rl_record *r = &run.record[i];
+        double tolerance = rl_parameter_number(r->parameters, "tolerance");
+        static const char *const share[] = {"bounded", "within", "converged"};
+        for (size_t k = 0; k < 3; k++)
+            assert_true(value(r, share[k]) >= 0.0 && value(r, share[k]) <= 1.0);
+        assert_true(value(r, "time_us") > 0.0 && value(r, "evaluations") > 0.0);
+        assert_true(value(r, "true_error") <= value(r, "error_p90") &&
+                    value(r, "error_p90") <= value(r, "error_max"));
+        if (rl_parameters_match(r->parameters, "integrator=reference")) {
+            assert_true(value(r, "error_max") <= tolerance);
+            assert_true(value(r, "bounded") == 1.0 && value(r, "within") == 1.0);
+        }
+        const struct rl_series *a = rl_record_series(r, "true_error"),
+                               *b = rl_record_series(&again.record[i], "true_error");
+        assert_true(a->n == (size_t)rl_parameter_number(r->parameters, "points"));
+        for (size_t k = 0; k < a->n; k++)
+            assert_true(a->value[k] == b->value[k]); /* the random ones have their seeds */
+    }
+    /* Of 4096 samples and more at 1e-2 each point errs by something. */
+    assert_true(value(&run.record[8], "true_error") > 1e-6);
+    rl_run_clear(&run);
+    rl_run_clear(&again);
+}
+
+static void test_measures_kernel_and_images(void **state)
+{
+    (void)state;
+    struct rl_run run = {.study = "accuracy"};
+    struct rl_bench bench = {0};
+    struct rl_error error;
+    rl_run_add(&run, &alone, 0, NULL, "part=kernel simd=plain threads=1 size=32 seconds=0.001 rounds=2");
+    rl_run_add(&run, &alone, 0, NULL, "part=kernel simd=plain threads=2 size=32 seconds=0.001 rounds=2");
+    rl_run_add(&run, &place, 1, NULL,
+               "part=images method=reference tolerance=0.0001 threads=1 width=32 height=24 rounds=2");
+    rl_run_add(&run, &place, 1, NULL,
+               "part=images method=exhaustive tolerance=0.0001 threads=1 width=32 height=24 rounds=2");
+    assert_int_equal(study()->measure(&run.record[0], 2, &bench, NULL, &error), RL_OK);
+    struct rl_scene scene = {0};
+    assert_int_equal(rl_scene_load(&scene, "studies/scenes/sphere-quad.yaml", &error), RL_OK);
+    assert_int_equal(study()->measure(&run.record[2], 2, &bench, &scene, &error), RL_OK);
+    rl_scene_clear(&scene);
+    assert_true(value(&run.record[0], "texel_normals") > 0.0 && value(&run.record[1], "texel_normals") > 0.0);
+    assert_true(value(&run.record[2], "seconds") > 0.0 && value(&run.record[2], "lines") > 0.0);
+    assert_true(value(&run.record[2], "unconverged") == 0.0 && value(&run.record[2], "worst_error") <= 1e-4);
+    assert_true(value(&run.record[3], "texel_normals") > 0.0);
+    rl_run_clear(&run);
+}
+
+/* Every integrator but exhaustive, whose accuracy is its map's and not a tolerance's; and what the claims look up. */
+static void test_plan(void **state)
+{
+    (void)state;
+    static const char *const needed[] = {
+        "part=points integrator=reference light=quad tolerance=1e-06",
+        "part=points integrator=reference light=quad tolerance=1e-10",
+        "part=points integrator=reference light=quad tolerance=0.01",
+        "part=points integrator=reference light=quad tolerance=1e-12",
+        "part=points integrator=reference light=quad tolerance=1e-05",
+        "part=points integrator=cubature-uv light=quad tolerance=1e-05",
+        "part=points integrator=montecarlo light=quad tolerance=0.01",
+        "part=points integrator=montecarlo light=quad tolerance=0.001",
+        "part=images method=reference tolerance=1e-06 threads=1",
+        "part=images method=reference tolerance=0.001",
+        "part=images method=reference tolerance=1e-08",
+        "part=images method=exhaustive",
+        "part=kernel simd=plain threads=1",
+    };
+    for (int grid = RL_GRID_QUICK; grid <= RL_GRID_FULL; grid++) {
+        struct rl_run run = {.study = "accuracy"};
+        assert_int_equal(study()->plan_alone(&run, &alone, (enum rl_grid)grid, 0, NULL), RL_OK);
+        assert_int_equal(study()->plan(&run, &place, (enum rl_grid)grid, 3, NULL), RL_OK);
+        rl_run_identify(&run, "env");
+        for (size_t i = 0; i < run.n_records; i++) {
+            run.record[i].status = RL_RECORD_OK;
+            for (size_t k = 0; k < i; k++)
+                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
+        }
+        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
+            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        for (size_t i = 0; i < rl_n_integrators; i++) {
+            char pattern[80];
+            snprintf(pattern, sizeof pattern, "part=points integrator=%s light=star",
+                     rl_integrators[i]->name);
+            assert_true((rl_run_find(&run, NULL, pattern) != NULL) ==
+                        (strcmp(rl_integrators[i]->name, "exhaustive") != 0));
+        }
+        rl_run_clear(&run);
+    }
+}
+
+enum { POINTS = 100, ROUNDS = 6 };
+
+/* What a made-up world is like. */
+struct world {
+    double reference_us, uv_us, uv_right; /* uv_right: share of points at which cubature-uv is right */
+    double montecarlo_exponent, bounded, covered, one_s, two_s, rate;
+};
+
+static const struct world usual = {.reference_us = 6.0,
+                                   .uv_us = 2e5,
+                                   .uv_right = 0.3,
+                                   .montecarlo_exponent = 2.0,
+                                   .bounded = 1.0,
+                                   .covered = 0.99,
+                                   .one_s = 1.2,
+                                   .two_s = 0.61,
+                                   .rate = 3e9};
+
+/* `right`: share of points with no error, the others have one of 1. Times vary over the points, those of cubature-uv most. */
+static void add_points(struct rl_run *run, const char *integrator, double tolerance, double us, double right,
+                       double bounded)
+{
+    double time[POINTS], off[POINTS], converged[POINTS];
+    double spread = strcmp(integrator, "cubature-uv") == 0 ? 0.3 : 0.1;
+    for (int i = 0; i < POINTS; i++) {
+        time[i] = us * (1.0 + spread * i / POINTS);
+        off[i] = i < right * POINTS ? 0.0 : 1.0;
+        converged[i] = 1.0;
+    }
+    struct rl_record *r =
+        rl_run_add(run, &alone, 0, NULL, "part=points integrator=%s tolerance=%g light=quad points=%d",
+                   integrator, tolerance, POINTS);
+    rl_record_series_add(r, "time_us", time, POINTS, NULL);
+    rl_record_series_add(r, "true_error", off, POINTS, NULL);
+    rl_record_series_add(r, "converged", converged, POINTS, NULL);
+    rl_record_metric_add(r, "time_us", us, 0.9 * us, 1.1 * us, "us", NULL);
+    rl_record_metric_add(r, "within", right, right, right, "1", NULL);
+    rl_record_metric_add(r, "bounded", bounded, bounded, bounded, "1", NULL);
+    r->status = RL_RECORD_OK;
+}
+
+static void add_image(struct rl_run *run, int threads, double seconds)
+{
+    double s[ROUNDS];
+    for (int i = 0; i < ROUNDS; i++)
+        s[i] = seconds * (1.0 + 0.001 * i) * (i == 3 ? 2.0 : 1.0); /* one round is disturbed, for all alike */
+    struct rl_record *r =
+        rl_run_add(run, &place, 1, NULL,
+                   "part=images method=reference tolerance=1e-06 threads=%d width=640 height=480", threads);
+    rl_record_series_add(r, "seconds", s, ROUNDS, NULL);
+    r->status = RL_RECORD_OK;
+}
+
+static void make(struct rl_run *run, const struct world *w)
+{
+    *run = (struct rl_run){.study = "accuracy", .grid = "default"};
+    snprintf(run->provenance.cpu, sizeof run->provenance.cpu, "a made-up machine");
+    static const double tolerance[] = {1e-2, 1e-5, 1e-6, 1e-10, 1e-12};
+    for (size_t i = 0; i < sizeof tolerance / sizeof tolerance[0]; i++)
+        add_points(run, "reference", tolerance[i], w->reference_us, 1.0, w->bounded);
+    add_points(run, "cubature-uv", 1e-5, w->uv_us, w->uv_right, w->uv_right);
+    static const double coarse[] = {1e-2, 3e-3, 1e-3};
+    for (size_t i = 0; i < sizeof coarse / sizeof coarse[0]; i++)
+        add_points(run, "montecarlo", coarse[i], 500.0 * pow(1e-2 / coarse[i], w->montecarlo_exponent), 1.0,
+                   w->covered);
+    struct rl_record *r = rl_run_add(run, &alone, 2, NULL, "part=kernel simd=avx2 threads=2");
+    rl_record_metric_add(r, "texel_normals", w->rate, 0.99 * w->rate, 1.01 * w->rate, "1/s", NULL);
+    r->status = RL_RECORD_OK;
+    add_image(run, 1, w->one_s);
+    add_image(run, 2, w->two_s);
+}
+
+static struct rl_claim judge(struct world w, const char *words)
+{
+    struct rl_run run;
+    make(&run, &w);
+    struct rl_claims claims = {0};
+    assert_int_equal(study()->judge(&claims, &run, NULL), RL_OK);
+    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
+    for (size_t i = 0; i < claims.n; i++)
+        if (strstr(claims.claim[i].text, words))
+            found = claims.claim[i];
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+    if ((int)found.verdict < 0)
+        fail_msg("no claim says '%s'", words);
+    return found;
+}
+
+static void test_flips(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *words;
+        size_t field;                   /* of struct world */
+        double holds, fails, straddles; /* straddles 0: it never does */
+    } table[] = {
+        {"at most 20 us a point to 1e-06", offsetof(struct world, reference_us), 15.0, 30.0, 20.0},
+        {"at most 100 us a point to 1e-10", offsetof(struct world, reference_us), 80.0, 120.0, 100.0},
+        {"at least 10,000 times as fast", offsetof(struct world, uv_us), 2e5, 5e4, 5.85e4},
+        {"stated error bounds its true error at every point", offsetof(struct world, bounded), 1.0, 0.99,
+         0.0},
+        {"Monte Carlo's stated error", offsetof(struct world, covered), 0.99, 0.9, 0.97},
+        {"is no ground truth", offsetof(struct world, uv_right), 0.3, 1.0, 0.9},
+        {"Monte Carlo's time does", offsetof(struct world, montecarlo_exponent), 1.9, 1.0, 0.0},
+        {"inner loop takes at least 1e9", offsetof(struct world, rate), 2e9, 5e8, 1e9},
+        {"takes at most 2 s on two cores", offsetof(struct world, two_s), 0.7, 2.5, 1.5},
+        {"at least 1.8 times as fast as one", offsetof(struct world, two_s), 0.61, 0.9, 0.0},
+    };
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        const struct {
+            double value;
+            enum rl_verdict verdict;
+        } each[] = {{table[i].holds, RL_VERDICT_HOLDS},
+                    {table[i].fails, RL_VERDICT_FAILS},
+                    {table[i].straddles, RL_VERDICT_INCONCLUSIVE}};
+        for (size_t k = 0; k < 3 && each[k].value > 0.0; k++) {
+            struct world w = usual;
+            memcpy((char *)&w + table[i].field, &each[k].value, sizeof each[k].value);
+            struct rl_claim c = judge(w, table[i].words);
+            if (c.verdict != each[k].verdict)
+                fail_msg("'%s' at %g: found %s, %g [%g, %g]", table[i].words, each[k].value,
+                         rl_verdict_name(c.verdict), c.value, c.low, c.high);
+        }
+    }
+}
+
+static void test_values(void **state)
+{
+    (void)state;
+    struct rl_claim c = judge(usual, "at least 10,000 times as fast");
+    assert_true(c.low < c.value && c.value < c.high && fabs(c.value / (2e5 / 6.0) - 1.03) < 0.01);
+    assert_non_null(strstr(c.note, "30 of 100 points"));
+    assert_non_null(strstr(c.note, "a made-up machine"));
+    assert_string_equal(c.command, "roughlight study run accuracy");
+    c = judge(usual, "at least 1.8 times as fast as one"); /* paired: the disturbed round changes nothing */
+    assert_true(fabs(c.low - 1.2 / 0.61) < 1e-9 && fabs(c.high - 1.2 / 0.61) < 1e-9);
+    assert_string_equal(c.command, "roughlight study run accuracy --scene sphere-quad");
+    c = judge(usual, "Monte Carlo's time does");
+    assert_true(fabs(c.value - 2.0) < 1e-9);
+    c = judge(usual, "the reference's time does not grow");
+    assert_true(fabs(c.value) < 1e-9 && c.verdict == RL_VERDICT_HOLDS);
+}
+
+/* Nothing measured: no verdict is made up. */
+static void test_missing(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    make(&run, &usual);
+    for (size_t i = 0; i < run.n_records; i++)
+        run.record[i].status = i % 2 ? RL_RECORD_PLANNED : RL_RECORD_FAILED;
+    struct rl_claims claims = {0};
+    assert_int_equal(study()->judge(&claims, &run, NULL), RL_OK);
+    assert_true(claims.n >= 15);
+    for (size_t i = 0; i < claims.n; i++) {
+        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
+        assert_true(isnan(claims.claim[i].value));
+    }
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_points_are_fixed),
+        cmocka_unit_test(test_points_are_as_promised),
+        cmocka_unit_test(test_measures_points),
+        cmocka_unit_test(test_measures_kernel_and_images),
+        cmocka_unit_test(test_plan),
+        cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_missing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
