@@ -5,7 +5,7 @@
 #   SANITIZE=list      compile with -fsanitize=list                   make SANITIZE=address,undefined test
 #   WERROR=1           warnings are errors
 #   T=names            only these tests: module or module/name        make test T="scene/mesh model"
-#   QUICK=1            a smaller, quicker `make report`
+#   QUICK=1            a smaller, quicker `make report` or `make bench`
 #   SETUP=check        say what is missing, install nothing
 #   V=1                show the commands
 
@@ -199,7 +199,7 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(EXTRA)
 
 # ---- Tests and the report ---------------------------------------------------------------------------------------
 
-.PHONY: test report
+.PHONY: test report bench
 ## Build, and run every test, or those that T names
 test: all $(TEST_PROGRAMS)
 	$(if $(TESTS),,$(if $(T),$(error no test is called '$(T)'; there are: \
@@ -208,8 +208,17 @@ test: all $(TEST_PROGRAMS)
 
 ## Run the studies and make build/report/index.html
 report: all
-	$(BUILD)/roughlight study run samples fps --db $(BUILD)/results.db $(if $(QUICK),--quick)
+	$(BUILD)/roughlight study run $$($(BUILD)/roughlight study list | tail -n +2 | cut -f 1) \
+		--db $(BUILD)/results.db $(if $(QUICK),--quick)
 	$(BUILD)/roughlight study report --db $(BUILD)/results.db -o $(BUILD)/report
+
+# The commands go to stderr: stdout is the tables, with an empty line between two.
+## Time and true error of every integrator, images and exhaustive; tables and verdicts on stdout
+bench: all
+	@$(BUILD)/roughlight study run accuracy --db $(BUILD)/results.db $(if $(QUICK),--quick)
+	@$(BUILD)/roughlight study export --db $(BUILD)/results.db -o $(BUILD)/tables
+	@for table in points images kernel; do cat $(BUILD)/tables/accuracy_$$table.tsv; echo; done
+	@awk -F '\t' 'NR == 1 || $$7 == "accuracy"' $(BUILD)/tables/claims.tsv
 
 # ---- Care of the sources ------------------------------------------------------------------------------------------
 
