@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -105,6 +106,18 @@ static void test_machine(void **state)
     assert_in_range(rl_machine_threads(), 1, 65536);
 }
 
+/* What this process does is in the count, to within the ticks of its beginning and its end. */
+static void test_machine_busy(void **state)
+{
+    (void)state;
+    double before = rl_machine_busy_seconds();
+    clock_t start = clock();
+    while (clock() - start < CLOCKS_PER_SEC / 5)
+        ;
+    double busy = rl_machine_busy_seconds() - before;
+    assert_true(busy >= 0.15 && busy < 60.0);
+}
+
 /* The variable lowers the choice and never raises it; what it may not say is refused in one line. */
 static void test_simd(void **state)
 {
@@ -147,6 +160,7 @@ int main(void)
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_clock_runs_forward),
         cmocka_unit_test(test_machine),
+        cmocka_unit_test(test_machine_busy),
         cmocka_unit_test(test_simd),
         cmocka_unit_test(test_version),
     };
