@@ -34,14 +34,13 @@ if (figure eq "quad" || figure eq "star") {
         set label 1 "20 us, the bar at a tolerance of 10^{-6}" at 22, 4e-15 left textcolor rgb "#6a7076" font ",12"
     }
     # Tolerances beside the marks, where those are apart.
-    labelled(name) = row(name) && (name eq "cubature" && column("tolerance") < 5e-5 || name eq "montecarlo" && column("tolerance") < 0.02 || name eq "vegas" && column("tolerance") < 2e-3)
-    side(name) = name eq "vegas" ? -1.1 : 0.8
+    labelled(name) = row(name) && (name eq "cubature" && column("tolerance") < 5e-5 || name eq "montecarlo" && column("tolerance") < 0.02)
     plot for [i = 1:words(names)] data using (row(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))):"time_us_low":"time_us_high":(above(column("true_error"))):(above(column("error_max"))) \
             with xyerrorbars linetype i dashtype 1 linewidth 0.5 pointsize 0.01 notitle, \
         for [i = 1:words(names)] data using (row(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))) \
             with linespoints linetype i pointsize 1 title title_of(word(names, i)), \
         for [i = 1:words(names)] data using (labelled(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))):(sprintf("%g", column("tolerance"))) \
-            with labels offset 0.8, side(word(names, i)) left font ",11" textcolor rgb "#57606a" notitle
+            with labels offset 0.8, 0.8 left font ",11" textcolor rgb "#57606a" notitle
 }
 
 if (figure eq "kernel") {
@@ -85,7 +84,6 @@ if (figure eq "seconds") {
     set xlabel "tolerance"
     set ylabel "seconds"
     set xrange [1e-2:1e-11] reverse
-    set xtics 10
     set mxtics 1
     set yrange [0:1.2 * (shown && bar > S_max ? bar : S_max)]
     plot for [t = 1:T_max] data using (here(t)):"seconds":"seconds_low":"seconds_high" with yerrorbars linetype t dashtype 1 pointsize 0.01 notitle, \

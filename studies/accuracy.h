@@ -18,7 +18,7 @@ int rl_accuracy_measure_points(struct rl_record *records, size_t n, struct rl_be
 
 /* "part=images": a whole image on some threads, by the clock on the wall. Cases of a group take turns round by round. Metrics: seconds,
  * worst_error (the largest that is stated of any pixel), unconverged, lines, texel_normals (per second; exhaustive). Series, by round:
- * seconds. */
+ * seconds, others (how many cores' worth of time other programs took of those that this one may use). */
 int rl_accuracy_measure_images(struct rl_record *records, size_t n, struct rl_bench *bench,
                                const struct rl_scene *scene, struct rl_error *error);
 

@@ -10,7 +10,7 @@
 
 typedef struct rl_accuracy_view view;
 
-/* Whether the interval of a hit-or-miss integrator is one of 99 %: within so much. */
+/* What the witnesses that draw random numbers state is an interval of this level; held true to within so much. */
 static const double coverage = 0.99, coverage_margin = 0.02;
 
 struct rl_claim *rl_accuracy_claim(const view *v, const char *text)
@@ -125,8 +125,8 @@ static int claim_share(const view *v, const char *integrator, const char *metric
                        const char *text)
 {
     struct rl_claim *c = rl_accuracy_claim(v, text);
-    struct rl_interval share;
-    double n;
+    struct rl_interval share = {NAN, NAN, NAN};
+    double n = 0.0;
     if (!c)
         return RL_ERR_SYSTEM;
     if (!share_over_cases(&share, &n, v, integrator, metric))
@@ -146,8 +146,8 @@ static int claim_no_truth(const view *v)
     struct rl_claim *c = rl_accuracy_claim(
         v, "hcubature over (U, V) is no ground truth: at fewer than 9 in 10 points its own error bounds the "
            "true one");
-    struct rl_interval share;
-    double n;
+    struct rl_interval share = {NAN, NAN, NAN};
+    double n = 0.0;
     if (!c)
         return RL_ERR_SYSTEM;
     if (!share_over_cases(&share, &n, v, "cubature-uv", "bounded"))
@@ -179,7 +179,7 @@ static int claim_growth_of_reference(const view *v)
 {
     struct rl_claim *c = rl_accuracy_claim(v, "the reference's time does not grow as 1/tolerance^2: as "
                                               "(1/tolerance)^a, a at most 0.1, from 1e-2 to 1e-12");
-    struct rl_interval a;
+    struct rl_interval a = {NAN, NAN, NAN};
     if (!c)
         return RL_ERR_SYSTEM;
     if (!growth(&a, v, "reference", 1e-2, 1e-12))
@@ -192,9 +192,9 @@ static int claim_growth_of_reference(const view *v)
 
 static int claim_growth_of_montecarlo(const view *v)
 {
-    struct rl_claim *c =
-        rl_accuracy_claim(v, "Monte Carlo's time does: a = 2 to within a quarter, from 3e-3 to 1e-3");
-    struct rl_interval a;
+    struct rl_claim *c = rl_accuracy_claim(
+        v, "Monte Carlo's time grows as (1/tolerance)^a, a = 2 to within a quarter, from 3e-3 to 1e-3");
+    struct rl_interval a = {NAN, NAN, NAN};
     if (!c)
         return RL_ERR_SYSTEM;
     if (!growth(&a, v, "montecarlo", 3e-3, 1e-3))
@@ -236,10 +236,12 @@ static int judge_points(const view *v)
         {"reference", "within", true,
          "the reference's true error is within the tolerance asked for at every point, from 1e-2 to 1e-12"},
         {"reference", "bounded", true, "the reference's stated error bounds its true error at every point"},
-        {"cubature", "bounded", true, "so does that of cubature over the lights' area"},
+        {"cubature", "bounded", true,
+         "the error that cubature over the lights' area states bounds its true error at every point"},
         {"montecarlo", "bounded", false,
          "Monte Carlo's stated error, an interval of 99 %, bounds the true error so often (to within 2 %)"},
-        {"vegas", "bounded", false, "so does that of VEGAS, an interval of 99 % (to within 2 %)"},
+        {"vegas", "bounded", false,
+         "VEGAS's stated error, an interval of 99 %, bounds the true error so often (to within 2 %)"},
     };
     int status = claim_cost(v, 1e-6, 20.0);
     if (status == RL_OK)

@@ -1,9 +1,12 @@
 /* Measures the images of the study `accuracy` (see accuracy.h). */
-#include <math.h>
+#include <time.h>
 
+#include "base/machine.h"
 #include "measure/timing.h"
 #include "reference/renderer.h"
 #include "studies/accuracy.h"
+
+enum { ROUNDS_MAX = 64 };
 
 struct arm {
     const struct rl_scene *scene;
@@ -11,18 +14,30 @@ struct arm {
     struct rl_plan plan;
     int threads;
     struct rl_render_stats stats; /* of the last image */
+    size_t rounds;                /* drawn so far */
+    double others[ROUNDS_MAX];    /* cores that other programs took meanwhile */
 };
+
+/* Seconds on the cores of this process that were not its own. */
+static double seconds_of_others(void)
+{
+    struct timespec own;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
+    return rl_machine_busy_seconds() - ((double)own.tv_sec + 1e-9 * (double)own.tv_nsec);
+}
 
 static int draw(void *user, double *seconds, struct rl_error *error)
 {
     struct arm *arm = user;
     struct rl_image image;
+    double before = seconds_of_others();
     int status = rl_reference_render(&image, &arm->stats, arm->scene, &arm->plan, arm->threads,
                                      &arm->bench->quiet, error);
     if (status != RL_OK)
         return status;
     rl_image_clear(&image);
     *seconds = arm->stats.seconds;
+    arm->others[arm->rounds++] = (seconds_of_others() - before) / *seconds;
     return RL_OK;
 }
 
@@ -38,6 +53,8 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
     struct rl_interval seconds = rl_median_interval(ms, n, 0.95);
     const struct rl_render_stats *s = &arm->stats;
     int status = rl_record_series_add(r, "seconds", ms, n, error);
+    if (status == RL_OK)
+        status = rl_record_series_add(r, "others", arm->others, n, error);
     if (status == RL_OK)
         status = rl_accuracy_add(r, "seconds", seconds, "s", error);
     if (status == RL_OK && s->texels > 0) {
@@ -63,7 +80,10 @@ static int time_images(struct rl_record *records, struct arm *arm, size_t n, str
         timed[i] = (struct rl_timing_arm){records[i].parameters, draw, &arm[i]};
     struct rl_timing_options options = RL_TIMING_DEFAULT;
     options.warm_up = 0; /* nothing is compiled, and an image takes long enough to warm up by itself */
-    options.min_rounds = options.max_rounds = (int)rl_parameter_number(records[0].parameters, "rounds");
+    double rounds = rl_parameter_number(records[0].parameters, "rounds");
+    if (!(rounds >= 1.0 && rounds <= ROUNDS_MAX))
+        return rl_fail(error, RL_ERR_INPUT, "rounds=%g: expected 1 to %d", rounds, ROUNDS_MAX);
+    options.min_rounds = options.max_rounds = (int)rounds;
     struct rl_timing timing;
     int status = rl_timing_run(&timing, timed, n, &options, &arm[0].bench->quiet, error);
     if (status != RL_OK)

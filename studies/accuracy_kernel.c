@@ -55,8 +55,8 @@ static int make_texels(struct rl_texel_list *list, float **memory, int size, str
         return rl_fail_memory(error, "the texels of a face");
     float *x = *memory, *y = x + n, *z = y + n, *solid_angle = z + n;
     for (size_t i = 0; i < n; i++) {
-        double s = (2.0 * (double)(i % (size_t)size) + 1.0) / size - 1.0;
-        double t = (2.0 * (double)(i / (size_t)size) + 1.0) / size - 1.0;
+        size_t column = i % (size_t)size, row = i / (size_t)size;
+        double s = (2.0 * (double)column + 1.0) / size - 1.0, t = (2.0 * (double)row + 1.0) / size - 1.0;
         rl_vec3 L = v3_normalize(rl_cube_direction(4, s, t));
         x[i] = (float)L.x;
         y[i] = (float)L.y;
