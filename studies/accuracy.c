@@ -214,10 +214,11 @@ static const struct rl_table tables[] = {
 #define POINT_CAPTION                                                                                        \
     " Each mark is a tolerance: across, the median time of a point with its 95 % interval; up, the "         \
     "true error that nine points in ten stay below, its bar from the median to the largest, errors below "   \
-    "1e-16 drawn there. Down and left is better. Vertical line: the bar of 20 us at 1e-6 for a quad."
+    "1e-16 drawn there. Down and left is better."
 
 static const struct rl_figure figures_alone[] = {
-    {"quad", "Error against time, one quad light." POINT_CAPTION},
+    {"quad",
+     "Error against time, one quad light; the line stands at the bar of 20 us for 1e-6." POINT_CAPTION},
     {"star", "Error against time, a star of ten edges." POINT_CAPTION},
     {"kernel", "Exhaustive's inner loop: texel-normals per second, 95 % intervals of the median, mostly "
                "smaller than the mark. Line: the bar of 1e9 on two threads."},
