@@ -14,11 +14,11 @@
 #include "reference/lines.h"
 #include "reference/rule.h"
 
-/* value[0 .. 3][i] as rl_lines_integrate has it at theta[i], i = 0 .. RL_RULE_ROOM - 1; where the set is grey, [1] and [2] are left
+/* value[0 .. 3][i] as rl_lines_integrate has it at theta[i], i = 0 .. RL_RULE_BATCH - 1; where the set is grey, [1] and [2] are left
  * alone. Returns a bit i for each line that has to be done again. */
-typedef unsigned rl_batch_function(double value[4][RL_RULE_ROOM], const struct rl_lines *lines,
+typedef unsigned rl_batch_function(double value[4][RL_RULE_BATCH], const struct rl_lines *lines,
                                    const struct rl_stretch *stretch, size_t n_stretches,
-                                   const double theta[RL_RULE_ROOM]);
+                                   const double theta[RL_RULE_BATCH]);
 
 #if defined(__x86_64__)
 rl_batch_function rl_batch_avx2, rl_batch_avx512;

@@ -244,12 +244,12 @@ static unsigned integrate_group(double *value[4], const struct rl_lines *lines,
     return VECTOR_BITS(disorder);
 }
 
-unsigned BATCH_FUNCTION(double value[4][RL_RULE_ROOM], const struct rl_lines *lines,
+unsigned BATCH_FUNCTION(double value[4][RL_RULE_BATCH], const struct rl_lines *lines,
                         const struct rl_stretch *stretch, size_t n_stretches,
-                        const double theta[RL_RULE_ROOM])
+                        const double theta[RL_RULE_BATCH])
 {
     unsigned again = 0;
-    for (int i = 0; i < RL_RULE_ROOM; i += LANES) {
+    for (int i = 0; i < RL_RULE_BATCH; i += LANES) {
         double *part[4] = {&value[0][i], &value[1][i], &value[2][i], &value[3][i]};
         again |= integrate_group(part, lines, stretch, n_stretches, theta + i) << i;
     }

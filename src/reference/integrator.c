@@ -55,7 +55,7 @@ static size_t lay_out(struct job *job, char *memory, const struct rl_light_set *
     return at;
 }
 
-static void line_alone(double value[RL_QUADRATURE_COMPONENTS][RL_RULE_ROOM], const struct job *job, int i,
+static void line_alone(double value[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH], const struct job *job, int i,
                        double theta)
 {
     double at[RL_QUADRATURE_COMPONENTS];
@@ -80,19 +80,19 @@ static const struct rl_stretch *trace_panel(struct job *job, const struct rl_pan
     return job->stretch + trace->first;
 }
 
-static bool lines_at(double value[RL_QUADRATURE_COMPONENTS][RL_RULE_ROOM], const double theta[RL_RULE_ROOM],
-                     const struct rl_panel *panel, void *user)
+static bool lines_at(double value[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH], const double theta[RL_RULE_BATCH],
+                     int n_lines, const struct rl_panel *panel, void *user)
 {
     struct job *job = user;
     size_t n;
-    const struct rl_stretch *stretch = trace_panel(job, panel, theta[RL_RULE_NODES / 2], &n);
+    const struct rl_stretch *stretch = trace_panel(job, panel, theta[n_lines / 2], &n);
     if (n == 0) {
         memset(value, 0, RL_QUADRATURE_COMPONENTS * sizeof value[0]);
         return false;
     }
     unsigned again =
-        job->batch ? job->batch(value, &job->lines, stretch, n, theta) : (1U << RL_RULE_NODES) - 1U;
-    for (int i = 0; i < RL_RULE_NODES && again >> i; i++)
+        job->batch ? job->batch(value, &job->lines, stretch, n, theta) : (1U << RL_RULE_BATCH) - 1U;
+    for (int i = 0; i < n_lines && again >> i; i++)
         if (again >> i & 1U)
             line_alone(value, job, i, theta[i]);
     return true;
@@ -113,6 +113,7 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
     const struct rl_quadrature_options quadrature = {
         .tolerance = RL_PI * fmax(0.5 * tolerance, 0.99 * tolerance - rounding * set->brightest),
         .max_evaluations = options->max_evaluations,
+        .wary = options->occlusion != NULL,
         .controlled = set->grey ? 1 : 3,
     };
     struct rl_quadrature_result result;

@@ -20,80 +20,122 @@ struct work {
     rl_quadrature_function *f;
     void *user;
     int controlled;
+    double length; /* of all panels */
+    double enough; /* error that pieces of the smaller rule may have, together */
     size_t evaluations;
     struct piece *heap; /* the worst first */
     size_t n, capacity;
     struct piece *owned; /* NULL while the heap is the caller's array */
 };
 
-/* x and dx/du at the nodes of a piece. */
-static void place_nodes(double x[RL_RULE_ROOM], double derivative[RL_RULE_ROOM], const struct piece *piece)
+/* How a panel's variable is changed: v goes from v0 to v1. */
+struct change {
+    const struct rl_panel *panel;
+    bool both;
+    double low, high, v0, v1;
+};
+
+static struct change change_of(const struct rl_panel *p)
 {
-    const struct rl_panel *p = piece->panel;
-    double v0 = 0.0, v1 = p->b - p->a;
-    double low = p->a - p->gap_a, high = p->b + p->gap_b, whole = high - low;
-    bool both = p->root_at_a && p->root_at_b;
-    if (both) {
-        v0 = 2.0 * asin(sqrt(p->gap_a / whole));
-        v1 = RL_PI - 2.0 * asin(sqrt(p->gap_b / whole));
+    struct change c = {.panel = p,
+                       .both = p->root_at_a && p->root_at_b,
+                       .low = p->a - p->gap_a,
+                       .high = p->b + p->gap_b,
+                       .v1 = p->b - p->a};
+    if (c.both) {
+        double whole = c.high - c.low;
+        c.v0 = p->gap_a > 0.0 ? 2.0 * asin(sqrt(p->gap_a / whole)) : 0.0;
+        c.v1 = RL_PI - (p->gap_b > 0.0 ? 2.0 * asin(sqrt(p->gap_b / whole)) : 0.0);
     } else if (p->root_at_a) {
-        v0 = sqrt(p->gap_a);
-        v1 = sqrt(p->b - low);
+        c.v0 = sqrt(p->gap_a);
+        c.v1 = sqrt(p->b - c.low);
     } else if (p->root_at_b) {
-        v0 = sqrt(high - p->a);
-        v1 = sqrt(p->gap_b);
+        c.v0 = sqrt(c.high - p->a);
+        c.v1 = sqrt(p->gap_b);
     }
-    for (int i = 0; i < RL_RULE_NODES; i++) {
-        double t = rl_rule_node(i);
-        double u = 0.5 * ((1.0 - t) * piece->u0 + (1.0 + t) * piece->u1);
-        double v = (1.0 - u) * v0 + u * v1;
-        derivative[i] = v1 - v0;
-        if (both) {
-            double s = sin(0.5 * v), c = cos(0.5 * v);
-            x[i] = v < 0.5 * RL_PI ? low + whole * s * s : high - whole * c * c;
-            derivative[i] *= whole * s * c;
-        } else if (p->root_at_a) {
-            x[i] = low + v * v;
-            derivative[i] *= 2.0 * v;
-        } else if (p->root_at_b) {
-            x[i] = high - v * v;
-            derivative[i] *= -2.0 * v;
-        } else {
-            x[i] = p->a + v;
-        }
-    }
-    x[RL_RULE_NODES] = x[RL_RULE_NODES - 1];
+    return c;
 }
 
-/* Applies the rule to a piece. A fresh panel in which there is nothing is left out: returns false. */
-static bool apply_rule(struct work *work, struct piece *piece, bool fresh)
+/* x and dx/du. */
+static double place_node(const struct change *c, double u, double *derivative)
 {
-    double x[RL_RULE_ROOM], derivative[RL_RULE_ROOM], f[RL_QUADRATURE_COMPONENTS][RL_RULE_ROOM];
-    place_nodes(x, derivative, piece);
-    bool some = work->f(f, x, piece->panel, work->user);
-    work->evaluations += fresh && !some ? 1 : RL_RULE_NODES;
-    if (fresh && !some)
-        return false;
+    double v = (1.0 - u) * c->v0 + u * c->v1;
+    *derivative = c->v1 - c->v0;
+    if (c->both) {
+        double whole = c->high - c->low, sine, cosine;
+        sincos(0.5 * v, &sine, &cosine);
+        *derivative *= whole * sine * cosine;
+        return v < 0.5 * RL_PI ? c->low + whole * sine * sine : c->high - whole * cosine * cosine;
+    }
+    if (c->panel->root_at_a) {
+        *derivative *= 2.0 * v;
+        return c->low + v * v;
+    }
+    if (c->panel->root_at_b) {
+        *derivative *= -2.0 * v;
+        return c->high - v * v;
+    }
+    return c->panel->a + v;
+}
+
+/* f times dx/du at the rule's nodes first, first + 2, ... Returns what f does. */
+static bool evaluate(struct work *work, double f[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH],
+                     const struct piece *piece, const struct change *change, int first, int n)
+{
+    double x[RL_RULE_BATCH], derivative[RL_RULE_BATCH];
+    for (int i = 0; i < n; i++) {
+        double t = rl_rule_node(first + 2 * i);
+        double u = 0.5 * ((1.0 - t) * piece->u0 + (1.0 + t) * piece->u1);
+        x[i] = place_node(change, u, &derivative[i]);
+    }
+    if (n < RL_RULE_BATCH)
+        x[n] = x[n - 1];
+    bool some = work->f(f, x, n, piece->panel, work->user);
+    for (int c = 0; c < RL_QUADRATURE_COMPONENTS; c++)
+        for (int i = 0; i < n; i++)
+            f[c][i] *= derivative[i];
+    return some;
+}
+
+/* Values and errors of a piece from one rule or the other (rest = NULL: the smaller one). */
+static void estimate(struct piece *piece, const struct work *work,
+                     double gauss[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH], double (*rest)[RL_RULE_BATCH])
+{
     double half = 0.5 * (piece->u1 - piece->u0);
     piece->worst = 0.0;
     for (int c = 0; c < RL_QUADRATURE_COMPONENTS; c++) {
-        bool follows = c >= work->controlled && c < RL_QUADRATURE_CONTROLLED;
-        double error = 0.0;
-        if (follows) {
+        if (c >= work->controlled && c < RL_QUADRATURE_CONTROLLED) {
             piece->value[c] = piece->value[0];
             piece->error[c] = piece->error[0];
             continue;
         }
-        for (int i = 0; i < RL_RULE_NODES; i++)
-            f[c][i] *= derivative[i];
-        if (c >= RL_QUADRATURE_CONTROLLED) {
-            piece->value[c] = half * rl_rule_sum(f[c]);
+        double error;
+        piece->value[c] =
+            half * (rest ? rl_rule_kronrod(gauss[c], rest[c], &error) : rl_rule_gauss(gauss[c], &error));
+        if (c >= RL_QUADRATURE_CONTROLLED)
             continue;
-        }
-        piece->value[c] = half * rl_rule_estimate(f[c], &error);
         piece->error[c] = half * error;
         piece->worst = fmax(piece->worst, piece->error[c]);
     }
+}
+
+/* Applies the rules to a piece. On a fresh panel the smaller one is good enough where its error is within the panel's share of
+ * `enough`, by length; a panel that had to be halved is not so smooth that 7 points could be trusted. A fresh panel in which there is
+ * nothing is left out: returns false. */
+static bool apply_rules(struct work *work, struct piece *piece, bool fresh)
+{
+    struct change change = change_of(piece->panel);
+    double gauss[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH], rest[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH];
+    bool some = evaluate(work, gauss, piece, &change, 1, RL_RULE_GAUSS);
+    work->evaluations += fresh && !some ? 1 : RL_RULE_GAUSS;
+    if (fresh && !some)
+        return false;
+    estimate(piece, work, gauss, NULL);
+    if (fresh && piece->worst <= work->enough * (piece->panel->b - piece->panel->a) / work->length)
+        return true;
+    evaluate(work, rest, piece, &change, 0, RL_RULE_BATCH);
+    work->evaluations += RL_RULE_BATCH;
+    estimate(piece, work, gauss, rest);
     return true;
 }
 
@@ -157,8 +199,8 @@ static bool refine(struct work *work)
     if (!(left.u1 - left.u0 > 1e-14) || !reserve(work))
         return false;
     left.u1 = right.u0 = middle;
-    apply_rule(work, &left, false);
-    apply_rule(work, &right, false);
+    apply_rules(work, &left, false);
+    apply_rules(work, &right, false);
     work->heap[0] = left;
     sift_down(work, 0);
     push(work, &right);
@@ -174,16 +216,19 @@ void rl_quadrature(struct rl_quadrature_result *result, rl_quadrature_function *
         .f = f,
         .user = user,
         .controlled = options->controlled > 0 ? options->controlled : RL_QUADRATURE_CONTROLLED,
+        .enough = options->wary ? -1.0 : 0.25 * options->tolerance,
         .heap = first,
         .capacity = PIECES_AT_FIRST,
     };
     size_t most = options->max_evaluations > 0 ? options->max_evaluations : 100000;
     const size_t two_rules = 2 * (size_t)RL_RULE_NODES;
     bool complete = true;
+    for (size_t i = 0; i < n_panels; i++)
+        work.length += panels[i].b - panels[i].a;
     for (size_t i = 0; i < n_panels && complete; i++) {
         struct piece piece = {.u1 = 1.0, .panel = &panels[i]};
         complete = reserve(&work);
-        if (complete && apply_rule(&work, &piece, true))
+        if (complete && apply_rules(&work, &piece, true))
             push(&work, &piece);
     }
     double error = total(result, &work);

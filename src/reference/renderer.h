@@ -3,7 +3,7 @@
  *
  * With a budget of time the image is drawn in passes of decreasing tolerance (accuracy.h). The first, loosest one is always
  * completed, however long it takes; a later one stops where the time is up, and each pixel keeps the best result it has had.
- * With time enough the image is the same, bit by bit, as without a budget.
+ * With time enough every pixel is within the tolerance, as without a budget.
  */
 #ifndef RL_REFERENCE_RENDERER_H
 #define RL_REFERENCE_RENDERER_H
