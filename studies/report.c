@@ -10,7 +10,7 @@
 #include "results/plot.h"
 #include "results/report.h"
 #include "studies/gallery.h"
-#include "studies/runner.h"
+#include "studies/planner.h"
 #include "studies/study.h"
 
 /* The page at work. */
@@ -180,7 +180,8 @@ static int add_gallery(struct page *p)
     for (size_t i = 0; i < rl_n_studies; i++)
         if (rl_studies[i] == rl_study_find("samples")) {
             r = rl_run_find(&p->data->run[i], NULL, "method=random samples=4");
-            quick = strcmp(p->data->run[i].grid, rl_grid_name(RL_GRID_QUICK)) == 0;
+            quick = strncmp(p->data->run[i].grid, rl_grid_name(RL_GRID_QUICK),
+                            strlen(rl_grid_name(RL_GRID_QUICK))) == 0;
         }
     const char *path = r ? r->scene_path : "teapot-star";
     struct rl_scene scene = {0};
@@ -227,10 +228,9 @@ static void add_provenance(struct page *p)
         const struct rl_run *run = &p->data->run[i];
         if (run->n_records == 0)
             continue;
-        rl_buffer_printf(&p->text, "roughlight study run %s --db results.db", run->study);
-        if (strcmp(run->grid, rl_grid_name(RL_GRID_DEFAULT)) != 0)
-            rl_buffer_printf(&p->text, " --%s", run->grid);
-        rl_buffer_add(&p->text, "\n");
+        char grid[RL_GRID_MAX + 4];
+        rl_run_arguments(grid, sizeof grid, run);
+        rl_buffer_printf(&p->text, "roughlight study run %s --db results.db%s\n", run->study, grid);
     }
     rl_buffer_add(&p->text, "roughlight study export --db results.db --format tsv -o tables\n"
                             "roughlight study report --db results.db -o report</pre>\n"

@@ -199,6 +199,7 @@ const struct rl_study rl_study_samples = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .check = rl_samples_check,
     .measure = rl_samples_measure,
     .judge = rl_samples_judge,
 };

@@ -113,6 +113,14 @@ struct pictures {
     struct rl_image image[SEEDS_MAX];
 };
 
+int rl_samples_check(const char *parameters, struct rl_error *error)
+{
+    double seeds = rl_parameter_number(parameters, "seeds");
+    if (seeds >= 1.0 && seeds <= SEEDS_MAX)
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "found %g seeds, expected 1 to %d", seeds, SEEDS_MAX);
+}
+
 /* Draws the pictures of all seeds; the scene of the last one is handed on to be timed. */
 static int draw(struct pictures *p, struct rl_bench_scene **last, struct rl_bench *bench,
                 const struct rl_scene *scene, const struct rl_record *r, struct rl_error *error)
@@ -120,9 +128,7 @@ static int draw(struct pictures *p, struct rl_bench_scene **last, struct rl_benc
     double seeds = rl_parameter_number(r->parameters, "seeds");
     p->n = 0;
     memset(p->image, 0, sizeof p->image);
-    if (!(seeds >= 1.0 && seeds <= SEEDS_MAX))
-        return rl_fail(error, RL_ERR_INPUT, "seeds=%g: expected 1 to %d", seeds, SEEDS_MAX);
-    int status = RL_OK;
+    int status = rl_samples_check(r->parameters, error);
     while (p->n < (size_t)seeds && status == RL_OK) {
         if (rl_progress_cancelled(&bench->quiet))
             return rl_fail(error, RL_ERR_CANCELLED, "interrupted; what was finished is kept");

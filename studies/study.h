@@ -17,6 +17,7 @@
 #include "results/export.h"
 #include "results/record.h"
 #include "scene/scene.h"
+#include "studies/axis.h"
 #include "studies/bench.h"
 
 /* How much of a study's grid is measured. */
@@ -56,6 +57,8 @@ struct rl_study {
     /* The same for the cases that no scene enters into, planned before any scene's; NULL: there are none. */
     int (*plan_alone)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
                       struct rl_error *error);
+    /* What of an axis' values (`study run --axis`) only this study can tell; NULL: what axis.h says suffices. */
+    rl_parameters_check *check;
     /* Measures the n records of one group: fills metrics and series. An error makes the group's cases failed ones. `scene` is NULL
      * for those of plan_alone. */
     int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
@@ -69,6 +72,9 @@ extern const size_t rl_n_studies;
 
 /* NULL if there is none of that name. */
 const struct rl_study *rl_study_find(const char *name);
+
+/* The options that give the run's grid again: "", " --quick", " --axis rr=1,2". */
+void rl_run_arguments(char text[], size_t size, const struct rl_run *run);
 
 /* Writes "roughlight study run NAME --scene SCENE" (without --scene for RL_NO_SCENE) with the run's grid into a claim, and the study's name. */
 void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene);

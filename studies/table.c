@@ -69,18 +69,26 @@ static void quote_word(char text[], size_t size, const char *word)
     text[n] = '\0';
 }
 
+void rl_run_arguments(char text[], size_t size, const struct rl_run *run)
+{
+    const char *axes = run->grid + strcspn(run->grid, " ");
+    const char *name = rl_grid_name(RL_GRID_DEFAULT);
+    bool is_default =
+        (size_t)(axes - run->grid) == strlen(name) && strncmp(run->grid, name, strlen(name)) == 0;
+    snprintf(text, size, "%s%s", is_default ? "" : " --", is_default ? axes : run->grid);
+}
+
 void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene)
 {
     const char *path = scene;
-    char word[200];
+    char word[200], grid[RL_GRID_MAX + 4];
     for (size_t i = 0; i < run->n_records; i++)
         if (strcmp(run->record[i].scene, scene) == 0)
             path = run->record[i].scene_path;
-    bool is_default = strcmp(run->grid, rl_grid_name(RL_GRID_DEFAULT)) == 0;
     quote_word(word, sizeof word, path);
+    rl_run_arguments(grid, sizeof grid, run);
     bool alone = strcmp(scene, RL_NO_SCENE) == 0;
     snprintf(claim->study, sizeof claim->study, "%s", run->study);
-    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s%s%.199s%s%.20s", run->study,
-             alone ? "" : " --scene ", alone ? "" : word, is_default ? "" : " --",
-             is_default ? "" : run->grid);
+    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s%s%.199s%s", run->study,
+             alone ? "" : " --scene ", alone ? "" : word, grid);
 }

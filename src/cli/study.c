@@ -8,9 +8,9 @@
 #include "cli/console.h"
 #include "cli/output.h"
 #include "cli/render_options.h"
+#include "cli/study.h"
 #include "results/database.h"
 #include "studies/report.h"
-#include "studies/runner.h"
 #include "studies/study.h"
 
 static const struct rl_option study_options[] = {
@@ -19,6 +19,13 @@ static const struct rl_option study_options[] = {
      "run: scene file or name of a shipped scene; may be given several times (each study's own)"},
     {0, "quick", NULL, "run: a small grid, seconds: to see that all works"},
     {0, "full", NULL, "run: the full grid, as long as it takes"},
+    {0, "axis", "NAME=VALUES",
+     "run: other values of one parameter of the study's cases: rr=1,2,4 or rr=1:100:log9 (9 values, both "
+     "ends "
+     "included) or rr=0:1:lin5; may be given several times: every combination"},
+    {0, "retry", NULL, "run: measure failed cases again"},
+    {0, "again", NULL, "run: measure all cases again, done or not"},
+    {0, "shard", "I/N", "run: measure the I-th of N shares only, the same on every machine"},
     {0, "backend", "NAME",
      "run, report: auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
     {0, "threads", "N", "run, report: of the reference and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
@@ -28,16 +35,15 @@ static const struct rl_option study_options[] = {
 
 static const struct rl_option *const options[] = {study_options, rl_options_format, NULL};
 
-static const char *database_of(const struct rl_arguments *a)
+const char *rl_study_database(const struct rl_arguments *a)
 {
     const char *path = rl_argument(a, "db");
     return path ? path : "build/results.db";
 }
 
-/* References are kept beside the database. */
-static void cache_of(char cache[PATH_MAX], const struct rl_arguments *a)
+void rl_study_cache(char cache[PATH_MAX], const struct rl_arguments *a)
 {
-    const char *path = database_of(a), *slash = strrchr(path, '/');
+    const char *path = rl_study_database(a), *slash = strrchr(path, '/');
     snprintf(cache, PATH_MAX, "%.*scache", slash ? (int)(slash + 1 - path) : 0, path);
 }
 
@@ -63,93 +69,13 @@ static int list(const struct rl_arguments *a, struct rl_error *error)
     return rl_exit_of(rl_output_check(error));
 }
 
-/* The studies named after `run`. */
-static int take_studies(const struct rl_study *studies[], size_t *n, const struct rl_arguments *a,
-                        struct rl_error *error)
-{
-    *n = a->n_positionals - 1;
-    if (*n == 0)
-        return rl_fail(error, RL_ERR_INPUT, "study run: no study named; 'roughlight study list' lists them");
-    for (size_t i = 0; i < *n; i++) {
-        studies[i] = rl_study_find(a->positional[i + 1]);
-        if (!studies[i])
-            return rl_fail(error, RL_ERR_INPUT,
-                           "study run: there is no study '%s'; 'roughlight study list' lists them",
-                           a->positional[i + 1]);
-    }
-    return RL_OK;
-}
-
-static int take_run_options(struct rl_run_options *run, const char *scenes[], const struct rl_arguments *a,
-                            struct rl_error *error)
-{
-    bool quick = rl_argument_flag(a, "quick"), full = rl_argument_flag(a, "full");
-    if (quick && full)
-        return rl_fail(error, RL_ERR_INPUT, "--quick and --full: one of them, not both");
-    run->database = database_of(a);
-    run->backend = rl_argument_backend(a);
-    run->grid = quick ? RL_GRID_QUICK : full ? RL_GRID_FULL : RL_GRID_DEFAULT;
-    while (run->n_scenes < RL_CLI_GIVEN_MAX && rl_argument_nth(a, "scene", run->n_scenes)) {
-        scenes[run->n_scenes] = rl_argument_nth(a, "scene", run->n_scenes);
-        run->n_scenes++;
-    }
-    run->scenes = scenes;
-    return rl_argument_threads(a, &run->threads, error);
-}
-
-/* Each case of these studies that failed, a line each. */
-static void name_failures(const struct rl_study *const *studies, size_t n, const char *database)
-{
-    struct rl_database *db;
-    if (rl_database_open(&db, database, RL_DATABASE_READ, NULL) != RL_OK)
-        return;
-    for (size_t i = 0; i < n; i++) {
-        struct rl_run run;
-        if (rl_database_load_run(db, studies[i]->name, &run, NULL) != RL_OK)
-            continue;
-        for (size_t k = 0; k < run.n_records; k++)
-            if (run.record[k].status == RL_RECORD_FAILED)
-                fprintf(stderr, "roughlight: failed: %s %s %s: %s\n", run.study, run.record[k].scene,
-                        run.record[k].parameters, run.record[k].message);
-        rl_run_clear(&run);
-    }
-    rl_database_close(db);
-}
-
-static int run_studies(const struct rl_arguments *a, struct rl_error *error)
-{
-    const struct rl_study *studies[RL_CLI_POSITIONALS_MAX];
-    const char *scenes[RL_CLI_GIVEN_MAX];
-    struct rl_run_options run = {0};
-    size_t n = 0;
-    int status = take_studies(studies, &n, a, error);
-    if (status == RL_OK)
-        status = take_run_options(&run, scenes, a, error);
-    if (status != RL_OK)
-        return rl_exit_of(status);
-    char cache[PATH_MAX];
-    cache_of(cache, a);
-    run.cache = cache;
-    struct rl_console console;
-    const struct rl_progress *progress = rl_console_begin(&console);
-    struct rl_run_outcome outcome;
-    status = rl_studies_run(&outcome, studies, n, &run, progress, error);
-    rl_console_end(&console);
-    if (status == RL_OK || status == RL_ERR_CANCELLED)
-        fprintf(stderr, "%zu cases: %zu measured, %zu done before, %zu failed\n", outcome.planned,
-                outcome.measured, outcome.skipped, outcome.failed);
-    if (outcome.failed > 0)
-        name_failures(studies, n, run.database);
-    return status == RL_OK && outcome.failed > 0 ? RL_EXIT_PARTIAL : rl_exit_of(status);
-}
-
 static int show_status(const struct rl_arguments *a, struct rl_error *error)
 {
     enum rl_output format;
     struct rl_database *db = NULL;
     int status = rl_argument_output(a, &format, error);
     if (status == RL_OK)
-        status = rl_database_open(&db, database_of(a), RL_DATABASE_READ, error);
+        status = rl_database_open(&db, rl_study_database(a), RL_DATABASE_READ, error);
     if (status != RL_OK)
         return rl_exit_of(status);
     struct rl_rows rows;
@@ -183,7 +109,7 @@ static int export_tables(const struct rl_arguments *a, struct rl_error *error)
     struct rl_report_data data = {0};
     int status = rl_argument_output(a, &format, error);
     if (status == RL_OK)
-        status = rl_report_load(&data, database_of(a), error);
+        status = rl_report_load(&data, rl_study_database(a), error);
     if (status == RL_OK)
         status = rl_report_export(&data, folder ? folder : "build/tables",
                                   format == RL_OUTPUT_JSON ? RL_EXPORT_JSON : RL_EXPORT_TSV, error);
@@ -195,9 +121,9 @@ static int make_report(const struct rl_arguments *a, struct rl_error *error)
 {
     const char *folder = rl_argument(a, "output");
     char cache[PATH_MAX];
-    cache_of(cache, a);
+    rl_study_cache(cache, a);
     struct rl_report_options report = {
-        .database = database_of(a),
+        .database = rl_study_database(a),
         .folder = folder ? folder : "build/report",
         .cache = cache,
         .backend = rl_argument_backend(a),
@@ -221,7 +147,7 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
         bool takes_names;
         int (*run)(const struct rl_arguments *arguments, struct rl_error *error);
     } verbs[] = {
-        {"list", false, list},          {"run", true, run_studies},
+        {"list", false, list},          {"run", true, rl_study_run_command},
         {"status", false, show_status}, {"export", false, export_tables},
         {"report", false, make_report},
     };
@@ -251,12 +177,17 @@ const struct rl_command rl_command_study = {
         "  export   one table for each study, frame_times, and claims with their verdicts\n"
         "  report   the page with verdicts, pictures, plots and tables\n"
         "\n"
-        "A run may be interrupted (Ctrl-C) and goes on where it was when started again. Exit code 3: some "
-        "cases failed;\n"
-        "each is named, and the next run tries it again.\n"
+        "A run may be interrupted (Ctrl-C) or killed and goes on where it was when started again. Exit code "
+        "3: some cases\n"
+        "failed; each is named, and left alone until --retry.\n"
         "\n"
         "  roughlight study run samples fps --quick --db quick.db\n"
-        "  roughlight study report --db quick.db -o quick-report",
+        "  roughlight study report --db quick.db -o quick-report\n"
+        "\n"
+        "Other values than the study's own: --axis. A group of cases that are timed together becomes one for "
+        "each value.\n"
+        "\n"
+        "  roughlight study run samples --quick --axis rr=1:1000:log4 --axis samples=1,4,16",
     .options = options,
     .run = run,
 };

@@ -28,7 +28,7 @@ struct rl_claim {
     char unit[64];
     char note[256]; /* one line beside the number: what it is, what it was held against */
     char study[64];
-    char command[320]; /* reproduces it; words quoted for a shell */
+    char command[800]; /* reproduces it; words quoted for a shell */
 };
 
 struct rl_claims {

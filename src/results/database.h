@@ -4,7 +4,7 @@
  *     rl_database_open(&db, "build/results.db", RL_DATABASE_WRITE, &error);
  *     rl_run_identify(&run, environment);
  *     rl_database_begin_run(db, &run, &error);                   what is going to be measured
- *     rl_database_done(db, run.record[0].identity, &done, &error);
+ *     rl_database_state(db, run.record[0].identity, &state, &error);
  *     ... measure ...
  *     rl_database_store(db, &run, first, n, &error);             one group, whole or not at all
  *     rl_database_close(db);
@@ -39,8 +39,9 @@ void rl_database_close(struct rl_database *db);
  * rl_database_store refer to the latest run begun. */
 int rl_database_begin_run(struct rl_database *db, const struct rl_run *run, struct rl_error *error);
 
-/* Whether a case of that identity has been measured without failing. */
-int rl_database_done(struct rl_database *db, const char *identity, bool *done, struct rl_error *error);
+/* What is known of the case of that identity: RL_RECORD_PLANNED if it has not been measured. */
+int rl_database_state(struct rl_database *db, const char *identity, enum rl_record_status *state,
+                      struct rl_error *error);
 
 /* Stores `n` records of `run` from `first` on, OK or failed, in one transaction; each replaces what was there under its
  * identity. */

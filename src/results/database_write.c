@@ -48,15 +48,18 @@ int rl_database_begin_run(struct rl_database *db, const struct rl_run *run, stru
     return status == RL_OK ? rl_sql_end(db, add_run(db, run, error), error) : status;
 }
 
-int rl_database_done(struct rl_database *db, const char *identity, bool *done, struct rl_error *error)
+int rl_database_state(struct rl_database *db, const char *identity, enum rl_record_status *state,
+                      struct rl_error *error)
 {
     sqlite3_stmt *statement = NULL;
-    int status = rl_sql_prepare(db, &statement, error,
-                                "SELECT 1 FROM cases WHERE identity = ? AND status = 'ok'", "t", identity);
+    int status = rl_sql_prepare(db, &statement, error, "SELECT status = 'ok' FROM cases WHERE identity = ?",
+                                "t", identity);
     if (status != RL_OK)
         return status;
     status = rl_sql_row(db, statement, error);
-    *done = status == 1;
+    *state = status < 1                         ? RL_RECORD_PLANNED
+             : sqlite3_column_int(statement, 0) ? RL_RECORD_OK
+                                                : RL_RECORD_FAILED;
     sqlite3_finalize(statement);
     return status < 0 ? status : RL_OK;
 }

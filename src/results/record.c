@@ -54,16 +54,21 @@ struct rl_record *rl_run_add(struct rl_run *run, const struct rl_place *place, i
     return r;
 }
 
+uint64_t rl_record_key(const struct rl_record *r)
+{
+    const char *part[] = {r->study, r->scene_hash, r->parameters};
+    uint64_t hash = RL_HASH_START;
+    /* Each with its NUL, so that the end of one part and the start of the next do not run together. */
+    for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
+        hash = rl_hash_bytes(hash, part[k], strlen(part[k]) + 1);
+    return hash;
+}
+
 void rl_run_identify(struct rl_run *run, const char *environment)
 {
     for (size_t i = 0; i < run->n_records; i++) {
         struct rl_record *r = &run->record[i];
-        const char *part[] = {r->study, r->scene_hash, r->parameters, environment};
-        uint64_t hash = RL_HASH_START;
-        /* Each with its NUL, so that the end of one part and the start of the next do not run together. */
-        for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
-            hash = rl_hash_bytes(hash, part[k], strlen(part[k]) + 1);
-        rl_hash_text(r->identity, hash);
+        rl_hash_text(r->identity, rl_hash_bytes(rl_record_key(r), environment, strlen(environment) + 1));
     }
 }
 

@@ -18,7 +18,7 @@
 #include "base/hash.h"
 #include "results/provenance.h"
 
-enum { RL_NAME_MAX = 64, RL_PARAMETERS_MAX = 384, RL_SCENE_PATH_MAX = 512 };
+enum { RL_NAME_MAX = 64, RL_PARAMETERS_MAX = 384, RL_SCENE_PATH_MAX = 512, RL_GRID_MAX = 512 };
 
 enum rl_record_status { RL_RECORD_PLANNED, RL_RECORD_OK, RL_RECORD_FAILED };
 
@@ -55,7 +55,7 @@ struct rl_record {
  * have the same environment. */
 struct rl_run {
     char study[RL_NAME_MAX];
-    char grid[RL_NAME_MAX]; /* "quick", "default", "full" */
+    char grid[RL_GRID_MAX]; /* "quick", "default", "full", then the axes given: "quick --axis rr=1,2" */
     char started[32];       /* UTC, ISO 8601 */
     struct rl_provenance provenance;
     size_t n_records;
@@ -78,6 +78,9 @@ struct rl_record *rl_run_add(struct rl_run *run, const struct rl_place *place, i
 /* Gives each record its identity: the hash of study, scene hash, parameters and the environment that measures it
  * (rl_provenance_environment). Same identity, same result: it need not be measured again. */
 void rl_run_identify(struct rl_run *run, const char *environment);
+
+/* The hash of study, scene hash and parameters alone: the same case on any machine, by any version. */
+uint64_t rl_record_key(const struct rl_record *record);
 
 /* The first measured record (RL_RECORD_OK) of that scene (NULL: any) whose parameters hold every "key=value" of `pattern`,
  * after `after` (NULL: from the start); NULL if there is none. */

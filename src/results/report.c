@@ -147,7 +147,7 @@ static void scene_pairs(struct rl_buffer *page, const struct rl_run *run)
 void rl_report_provenance(struct rl_buffer *page, const struct rl_run *run, const struct rl_run *before)
 {
     const struct rl_provenance *p = &run->provenance;
-    char text[256], environment[RL_HASH_TEXT], same[RL_HASH_TEXT] = "";
+    char text[RL_GRID_MAX + 256], environment[RL_HASH_TEXT], same[RL_HASH_TEXT] = "";
     rl_provenance_environment(p, environment);
     if (before)
         rl_provenance_environment(&before->provenance, same);

@@ -150,20 +150,20 @@ static void test_done_and_replace(void **state)
     make_run(&other, 2, "another environment");
     struct rl_database *db = must_open(path, RL_DATABASE_WRITE);
     rl_database_begin_run(db, &run, NULL);
-    bool done = true;
-    rl_database_done(db, run.record[0].identity, &done, NULL);
-    assert_false(done);
+    enum rl_record_status done = RL_RECORD_OK;
+    rl_database_state(db, run.record[0].identity, &done, NULL);
+    assert_int_equal(done, RL_RECORD_PLANNED);
     run.record[0].status = RL_RECORD_FAILED;
     rl_database_store(db, &run, 0, 1, NULL);
-    rl_database_done(db, run.record[0].identity, &done, NULL);
-    assert_false(done); /* a failed case is to be tried again */
+    rl_database_state(db, run.record[0].identity, &done, NULL);
+    assert_int_equal(done, RL_RECORD_FAILED);
     measure(&run.record[0], 0);
     assert_int_equal(rl_database_store(db, &run, 0, 1, NULL),
                      RL_OK); /* replaces the failed one and its figures */
-    rl_database_done(db, run.record[0].identity, &done, NULL);
-    assert_true(done);
-    rl_database_done(db, other.record[0].identity, &done, NULL);
-    assert_false(done); /* measured elsewhere is not measured here */
+    rl_database_state(db, run.record[0].identity, &done, NULL);
+    assert_int_equal(done, RL_RECORD_OK);
+    rl_database_state(db, other.record[0].identity, &done, NULL);
+    assert_int_equal(done, RL_RECORD_PLANNED); /* measured elsewhere is not measured here */
 
     /* A second run of the same cases finds them; the latest run is what is loaded. */
     snprintf(run.grid, sizeof run.grid, "full");
@@ -313,9 +313,9 @@ static void run_all(const char *path)
     struct rl_database *db = must_open(path, RL_DATABASE_WRITE);
     assert_int_equal(rl_database_begin_run(db, &run, NULL), RL_OK);
     for (size_t i = 0; i < KILL_CASES; i += 2) {
-        bool done = false;
-        assert_int_equal(rl_database_done(db, run.record[i].identity, &done, NULL), RL_OK);
-        if (done)
+        enum rl_record_status done = RL_RECORD_PLANNED;
+        assert_int_equal(rl_database_state(db, run.record[i].identity, &done, NULL), RL_OK);
+        if (done == RL_RECORD_OK)
             continue;
         measure(&run.record[i], i);
         measure(&run.record[i + 1], i + 1);

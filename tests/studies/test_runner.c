@@ -1,4 +1,4 @@
-/* The runner, with a study of the test's own whose cases cost nothing: what is done is skipped, what failed is tried again, an
+/* The runner, with a study of the test's own whose cases cost nothing: what is done is skipped, what failed waits until it is asked for, an
  * interruption keeps what was finished. Also how a case's parameters become settings. */
 #include <math.h>
 #include <setjmp.h>
@@ -90,11 +90,18 @@ static bool cancelled(void *user)
 
 static char database[PATH_MAX], cache[PATH_MAX];
 
+/* With what a test sets beside the grid. */
+static struct rl_run_options extra;
+
 static int run(enum rl_grid grid, struct rl_run_outcome *outcome, struct rl_error *error)
 {
     const struct rl_study *const studies[] = {&study};
     const struct rl_progress progress = {NULL, cancelled, NULL};
-    struct rl_run_options options = {.database = database, .cache = cache, .backend = "osmesa", .grid = grid};
+    struct rl_run_options options = extra;
+    options.database = database;
+    options.cache = cache;
+    options.backend = "osmesa";
+    options.grid = grid;
     *error = (struct rl_error){0};
     return rl_studies_run(outcome, studies, 1, &options, &progress, error);
 }
@@ -102,6 +109,7 @@ static int run(enum rl_grid grid, struct rl_run_outcome *outcome, struct rl_erro
 static void reset(const char *name)
 {
     memset(&script, 0, sizeof script);
+    extra = (struct rl_run_options){0};
     script.failing = script.cancel_after = -1;
     temporary_path(&folder, database, name);
     temporary_path(&folder, cache, "cache");
@@ -138,7 +146,7 @@ static void test_skips_what_is_done(void **state)
     rl_run_clear(&loaded);
 }
 
-static void test_tries_failures_again(void **state)
+static void test_retries_on_request(void **state)
 {
     (void)state;
     struct rl_run_outcome o;
@@ -154,10 +162,102 @@ static void test_tries_failures_again(void **state)
     assert_int_equal(loaded.record[6].n_metrics, 0);
     rl_run_clear(&loaded);
     script.failing = -1;
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK); /* left alone, and still counted */
+    assert_true(o.measured == 0 && o.skipped == 8 && o.failed == 2);
+    assert_int_equal(script.measured[3], 1);
+    extra.retry = true;
     assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
     assert_true(o.measured == 2 && o.skipped == 8 && o.failed == 0);
     assert_int_equal(script.measured[3], 2);
     assert_int_equal(script.measured[4], 1);
+}
+
+static void test_measures_again(void **state)
+{
+    (void)state;
+    struct rl_run_outcome o;
+    struct rl_error error;
+    reset("again.db");
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
+    extra.again = true;
+    script.failing = 1; /* what is measured afresh and fails is failed, whatever it was before */
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
+    assert_true(o.measured == 8 && o.skipped == 0 && o.failed == 2);
+    for (int g = 0; g < GROUPS; g++)
+        assert_int_equal(script.measured[g], 2);
+    struct rl_run loaded;
+    load(&loaded);
+    assert_int_equal(rl_run_count(&loaded, RL_RECORD_OK), 8);
+    assert_int_equal(rl_run_count(&loaded, RL_RECORD_FAILED), 2);
+    rl_run_clear(&loaded);
+}
+
+/* Each group belongs to one of n shares, whole; together they are everything; the grid around it does not matter. */
+static void test_shards(void **state)
+{
+    (void)state;
+    struct rl_run_outcome o;
+    struct rl_error error;
+    enum { SHARDS = 3 };
+    int share[GROUPS] = {0};
+    size_t planned = 0;
+    for (int i = 1; i <= SHARDS; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "shard-%d.db", i);
+        reset(name);
+        extra.shard = i;
+        extra.n_shards = SHARDS;
+        assert_int_equal(run(RL_GRID_QUICK, &o, &error), RL_OK);
+        size_t small = o.planned;
+        assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK);
+        assert_true(o.skipped == small && o.measured + o.skipped == o.planned);
+        planned += o.planned;
+        for (int g = 0; g < GROUPS; g++) {
+            assert_true(script.measured[g] == 0 || share[g] == 0);
+            share[g] += script.measured[g];
+        }
+        struct rl_run loaded;
+        load(&loaded); /* the whole plan is noted, so that one sees what is missing */
+        assert_int_equal(loaded.n_records, 2 * GROUPS);
+        rl_run_clear(&loaded);
+    }
+    assert_int_equal(planned, 2 * GROUPS);
+    for (int g = 0; g < GROUPS; g++)
+        assert_int_equal(share[g], 1);
+}
+
+/* An axis reaches a study that knows nothing of it, and the claims' command has it. */
+static void test_axis(void **state)
+{
+    (void)state;
+    struct rl_run_outcome o;
+    struct rl_error error;
+    struct rl_axis axis;
+    reset("axis.db");
+    assert_int_equal(rl_axis_parse(&axis, "number=4,2", &error), RL_OK);
+    extra.axes = &axis;
+    extra.n_axes = 1;
+    assert_int_equal(run(RL_GRID_QUICK, &o, &error), RL_OK);
+    assert_true(o.planned == 4 && o.measured == 4);
+    assert_true(script.measured[0] == 0 && script.measured[2] == 1 && script.measured[4] == 1);
+    struct rl_run loaded;
+    struct rl_claim claim;
+    load(&loaded);
+    rl_claim_source(&claim, &loaded, "sphere-quad");
+    assert_string_equal(claim.command,
+                        "roughlight study run made-up --scene sphere-quad --quick --axis number=4,2");
+    rl_run_clear(&loaded);
+    extra.n_axes = 0;
+    assert_int_equal(run(RL_GRID_FULL, &o, &error), RL_OK); /* the same cases as the study's own */
+    assert_true(o.measured == 6 && o.skipped == 4);
+
+    reset("never.db");
+    assert_int_equal(rl_axis_parse(&axis, "numbers=4", &error), RL_OK);
+    extra.axes = &axis;
+    extra.n_axes = 1;
+    assert_int_equal(run(RL_GRID_QUICK, &o, &error), RL_ERR_INPUT);
+    assert_non_null(strstr(error.message, "expected one of number, arm"));
+    assert_int_not_equal(access(database, F_OK), 0); /* nothing was begun */
 }
 
 static void test_interrupted(void **state)
@@ -261,7 +361,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_skips_what_is_done),
-        cmocka_unit_test(test_tries_failures_again),
+        cmocka_unit_test(test_retries_on_request),
+        cmocka_unit_test(test_measures_again),
+        cmocka_unit_test(test_shards),
+        cmocka_unit_test(test_axis),
         cmocka_unit_test(test_interrupted),
         cmocka_unit_test(test_without_a_scene),
         cmocka_unit_test(test_scenes),

@@ -1,0 +1,22 @@
+/* Within src/cli: the verbs of `roughlight study` that have files of their own, and what they share. */
+#ifndef RL_CLI_STUDY_H
+#define RL_CLI_STUDY_H
+
+#include <limits.h>
+#include <stddef.h>
+
+#include "cli/command.h"
+#include "studies/study.h"
+
+/* --db, or build/results.db */
+const char *rl_study_database(const struct rl_arguments *arguments);
+/* References are kept beside the database. */
+void rl_study_cache(char cache[PATH_MAX], const struct rl_arguments *arguments);
+
+/* Each case of the latest run of these studies that failed, a line each on stderr. */
+void rl_study_name_failures(const struct rl_study *const *studies, size_t n, const char *database);
+
+/* Each returns an rl_exit, as rl_command.run does. */
+int rl_study_run_command(const struct rl_arguments *arguments, struct rl_error *error);
+
+#endif

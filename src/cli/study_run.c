@@ -1,0 +1,134 @@
+/* `roughlight study run`: measures studies. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/console.h"
+#include "cli/render_options.h"
+#include "cli/study.h"
+#include "results/database.h"
+#include "studies/runner.h"
+
+/* What the command line asks for. */
+struct request {
+    size_t n_studies;
+    const struct rl_study *study[RL_CLI_POSITIONALS_MAX];
+    const char *scene[RL_CLI_GIVEN_MAX];
+    struct rl_axis axis[RL_AXES_MAX];
+    char cache[PATH_MAX];
+    struct rl_run_options run;
+};
+
+/* The studies named after `run`. */
+static int take_studies(struct request *r, const struct rl_arguments *a, struct rl_error *error)
+{
+    r->n_studies = a->n_positionals - 1;
+    if (r->n_studies == 0)
+        return rl_fail(error, RL_ERR_INPUT, "study run: no study named; 'roughlight study list' lists them");
+    for (size_t i = 0; i < r->n_studies; i++) {
+        r->study[i] = rl_study_find(a->positional[i + 1]);
+        if (!r->study[i])
+            return rl_fail(error, RL_ERR_INPUT,
+                           "study run: there is no study '%s'; 'roughlight study list' lists them",
+                           a->positional[i + 1]);
+    }
+    return RL_OK;
+}
+
+static int take_axes(struct request *r, const struct rl_arguments *a, struct rl_error *error)
+{
+    const char *text;
+    int status = RL_OK;
+    for (size_t i = 0; (text = rl_argument_nth(a, "axis", i)) && status == RL_OK; i++) {
+        if (i == RL_AXES_MAX)
+            return rl_fail(error, RL_ERR_INPUT, "--axis: given more than %d times", RL_AXES_MAX);
+        status = rl_axis_parse(&r->axis[i], text, error);
+        r->run.n_axes = i + 1;
+    }
+    r->run.axes = r->axis;
+    return status;
+}
+
+/* --shard i/n */
+static int take_shard(struct rl_run_options *run, const struct rl_arguments *a, struct rl_error *error)
+{
+    const char *text = rl_argument(a, "shard");
+    int used = 0;
+    if (!text)
+        return RL_OK;
+    if (strspn(text, "0123456789/") == strlen(text) &&
+        sscanf(text, "%5d/%5d%n", &run->shard, &run->n_shards, &used) == 2 && text[used] == '\0' &&
+        run->shard >= 1 && run->shard <= run->n_shards)
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "--shard: found '%.40s', expected I/N with 1 <= I <= N", text);
+}
+
+static int take_options(struct request *r, const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_run_options *run = &r->run;
+    bool quick = rl_argument_flag(a, "quick"), full = rl_argument_flag(a, "full");
+    if (quick && full)
+        return rl_fail(error, RL_ERR_INPUT, "--quick and --full: one of them, not both");
+    rl_study_cache(r->cache, a);
+    run->cache = r->cache;
+    run->database = rl_study_database(a);
+    run->backend = rl_argument_backend(a);
+    run->grid = quick ? RL_GRID_QUICK : full ? RL_GRID_FULL : RL_GRID_DEFAULT;
+    run->retry = rl_argument_flag(a, "retry");
+    run->again = rl_argument_flag(a, "again");
+    while (run->n_scenes < RL_CLI_GIVEN_MAX && rl_argument_nth(a, "scene", run->n_scenes)) {
+        r->scene[run->n_scenes] = rl_argument_nth(a, "scene", run->n_scenes);
+        run->n_scenes++;
+    }
+    run->scenes = r->scene;
+    int status = take_axes(r, a, error);
+    if (status == RL_OK)
+        status = take_shard(run, a, error);
+    return status == RL_OK ? rl_argument_threads(a, &run->threads, error) : status;
+}
+
+void rl_study_name_failures(const struct rl_study *const *studies, size_t n, const char *database)
+{
+    struct rl_database *db;
+    if (rl_database_open(&db, database, RL_DATABASE_READ, NULL) != RL_OK)
+        return;
+    for (size_t i = 0; i < n; i++) {
+        struct rl_run run;
+        if (rl_database_load_run(db, studies[i]->name, &run, NULL) != RL_OK)
+            continue;
+        for (size_t k = 0; k < run.n_records; k++)
+            if (run.record[k].status == RL_RECORD_FAILED)
+                fprintf(stderr, "roughlight: failed: %s %s %s: %s\n", run.study, run.record[k].scene,
+                        run.record[k].parameters, run.record[k].message);
+        rl_run_clear(&run);
+    }
+    rl_database_close(db);
+}
+
+static int carry_out(const struct request *r, struct rl_error *error)
+{
+    struct rl_console console;
+    const struct rl_progress *progress = rl_console_begin(&console);
+    struct rl_run_outcome outcome;
+    int status = rl_studies_run(&outcome, r->study, r->n_studies, &r->run, progress, error);
+    rl_console_end(&console);
+    if (status == RL_OK || status == RL_ERR_CANCELLED)
+        fprintf(stderr, "%zu cases: %zu measured, %zu done before, %zu failed\n", outcome.planned,
+                outcome.measured, outcome.skipped, outcome.failed);
+    if (outcome.failed > 0)
+        rl_study_name_failures(r->study, r->n_studies, r->run.database);
+    return status == RL_OK && outcome.failed > 0 ? RL_EXIT_PARTIAL : rl_exit_of(status);
+}
+
+int rl_study_run_command(const struct rl_arguments *a, struct rl_error *error)
+{
+    struct request *request = calloc(1, sizeof *request);
+    if (!request)
+        return rl_exit_of(rl_fail_memory(error, "the options"));
+    int status = take_studies(request, a, error);
+    if (status == RL_OK)
+        status = take_options(request, a, error);
+    int code = status == RL_OK ? carry_out(request, error) : rl_exit_of(status);
+    free(request);
+    return code;
+}

@@ -1,0 +1,229 @@
+/* Reads axes and puts their values into planned cases (see axis.h). What values a parameter takes is in axis_values.c. */
+#include "studies/axis.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/hash.h"
+#include "studies/axis_values.h"
+
+static int fail_form(struct rl_error *error, const char *text)
+{
+    return rl_fail(
+        error, RL_ERR_INPUT,
+        "--axis: found '%.100s', expected NAME=VALUE,VALUE,... or NAME=FROM:TO:logN or NAME=FROM:TO:linN",
+        text);
+}
+
+/* The fewest digits that read back as the same number, but at least the 6 of printf's %g: as studies write them. */
+static void write_number(char text[RL_AXIS_VALUE_LENGTH], double value)
+{
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(text, RL_AXIS_VALUE_LENGTH, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            return;
+    }
+}
+
+static bool is_number(const char *text, double *value)
+{
+    char *end;
+    *value = strtod(text, &end);
+    return end != text && *end == '\0' && isfinite(*value);
+}
+
+static int parse_list(struct rl_axis *axis, const char *list, struct rl_error *error)
+{
+    for (const char *at = list;;) {
+        size_t length = strcspn(at, ",");
+        if (length == 0 || length >= RL_AXIS_VALUE_LENGTH || strcspn(at, "=") < length)
+            return fail_form(error, axis->text);
+        if (axis->n == RL_AXIS_VALUES_MAX)
+            return rl_fail(error, RL_ERR_INPUT, "--axis %s: more than %d values", axis->name,
+                           RL_AXIS_VALUES_MAX);
+        char *value = axis->value[axis->n++];
+        snprintf(value, RL_AXIS_VALUE_LENGTH, "%.*s", (int)length, at);
+        double number;
+        if (is_number(value, &number))
+            write_number(value, number);
+        at += length;
+        if (*at++ == '\0')
+            return RL_OK;
+    }
+}
+
+/* FROM:TO:logN, both ends included. */
+static int parse_range(struct rl_axis *axis, const char *range, struct rl_error *error)
+{
+    double from, to;
+    char kind[4];
+    int n, used = 0;
+    if (sscanf(range, "%lf:%lf:%3[a-z]%d%n", &from, &to, kind, &n, &used) != 4 || range[used] != '\0' ||
+        !isfinite(from) || !isfinite(to))
+        return fail_form(error, axis->text);
+    bool logarithmic = strcmp(kind, "log") == 0;
+    if (!logarithmic && strcmp(kind, "lin") != 0)
+        return fail_form(error, axis->text);
+    if (n < 2 || n > RL_AXIS_VALUES_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "--axis %s: found %s%d, expected 2 to %d values", axis->name,
+                       kind, n, RL_AXIS_VALUES_MAX);
+    if (logarithmic && !(from > 0.0 && to > 0.0))
+        return rl_fail(error, RL_ERR_INPUT, "--axis %s: found '%.60s', expected ends above 0 for log",
+                       axis->name, range);
+    axis->range = true;
+    for (int i = 0; i < n; i++) {
+        double t = (double)i / (n - 1);
+        double value = logarithmic ? from * pow(to / from, t) : from + t * (to - from);
+        snprintf(axis->value[axis->n++], RL_AXIS_VALUE_LENGTH, "%.6g",
+                 i == 0       ? from
+                 : i == n - 1 ? to
+                              : value);
+    }
+    return RL_OK;
+}
+
+int rl_axis_parse(struct rl_axis *axis, const char *text, struct rl_error *error)
+{
+    *axis = (struct rl_axis){.text = text};
+    size_t length = strcspn(text, "=");
+    /* Nothing that would have to be quoted where a case's parameters or a command are written. */
+    bool plain =
+        text[strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._,:=+-")] == '\0';
+    if (!plain || length == 0 || length >= sizeof axis->name || text[length] != '=')
+        return fail_form(error, text);
+    snprintf(axis->name, sizeof axis->name, "%.*s", (int)length, text);
+    const char *values = text + length + 1;
+    return strchr(values, ':') ? parse_range(axis, values, error) : parse_list(axis, values, error);
+}
+
+int rl_parameters_replace(char out[RL_PARAMETERS_MAX], const char *parameters, const char *key,
+                          const char *value, struct rl_error *error)
+{
+    size_t used = 0, n_key = strlen(key);
+    out[0] = '\0';
+    for (const char *at = parameters; *at && used < RL_PARAMETERS_MAX;) {
+        size_t length = strcspn(at, " ");
+        bool found = strncmp(at, key, n_key) == 0 && at[n_key] == '=';
+        used += (size_t)(found ? snprintf(out + used, RL_PARAMETERS_MAX - used, "%s%s=%s", used ? " " : "",
+                                          key, value)
+                               : snprintf(out + used, RL_PARAMETERS_MAX - used, "%s%.*s", used ? " " : "",
+                                          (int)length, at));
+        at += length;
+        at += strspn(at, " ");
+    }
+    if (used >= RL_PARAMETERS_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "%s=%s: a case's parameters are longer than %d bytes", key, value,
+                       RL_PARAMETERS_MAX - 1);
+    return RL_OK;
+}
+
+/* Adds the case with other parameters, in another group. */
+static int add_case(struct rl_run *run, const struct rl_record *r, const char *parameters, int group,
+                    struct rl_error *error)
+{
+    if (run->n_records == RL_AXES_CASES_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "--axis: more than %d cases", RL_AXES_CASES_MAX);
+    struct rl_place place = {r->study, r->scene, r->scene_path, strtoull(r->scene_hash, NULL, 16)};
+    return rl_run_add(run, &place, group, error, "%s", parameters) ? RL_OK : RL_ERR_SYSTEM;
+}
+
+/* The group of records from `first` on, once for each value; without the parameter, as it is. */
+static int expand_group(struct rl_run *out, const struct rl_run *run, size_t first, size_t end,
+                        const struct rl_axis *axis, struct rl_error *error)
+{
+    bool has = false;
+    char text[RL_NAME_MAX], parameters[RL_PARAMETERS_MAX];
+    for (size_t i = first; i < end; i++)
+        has = has || rl_parameter(run->record[i].parameters, axis->name, text, sizeof text);
+    int status = RL_OK;
+    for (size_t v = 0; v < (has ? axis->n : 1) && status == RL_OK; v++) {
+        int group = out->n_records ? out->record[out->n_records - 1].group + 1 : 0;
+        for (size_t i = first; i < end && status == RL_OK; i++) {
+            status = rl_parameters_replace(parameters, run->record[i].parameters, axis->name, axis->value[v],
+                                           error);
+            if (status == RL_OK)
+                status = add_case(out, &run->record[i], parameters, group, error);
+        }
+    }
+    return status;
+}
+
+static uint64_t hash_case(const struct rl_record *r)
+{
+    uint64_t hash = rl_hash_bytes(RL_HASH_START, r->scene, strlen(r->scene) + 1);
+    return rl_hash_bytes(hash, r->parameters, strlen(r->parameters));
+}
+
+static bool same_case(const struct rl_record *a, const struct rl_record *b)
+{
+    return strcmp(a->scene, b->scene) == 0 && strcmp(a->parameters, b->parameters) == 0;
+}
+
+/* Keeps the first of cases that are the same. Planned records own nothing, so that one may be copied over another. */
+static int merge_same(struct rl_run *run, struct rl_error *error)
+{
+    /* An open hash table of the kept records' numbers, plus one; at most half full. */
+    size_t size = 16, kept = 0;
+    while (size < 2 * run->n_records)
+        size *= 2;
+    size_t *table = calloc(size, sizeof *table);
+    if (!table)
+        return rl_fail_memory(error, "a list of cases");
+    for (size_t i = 0; i < run->n_records; i++) {
+        size_t at = hash_case(&run->record[i]) & (size - 1);
+        while (table[at] && !same_case(&run->record[table[at] - 1], &run->record[i]))
+            at = (at + 1) & (size - 1);
+        if (table[at])
+            continue;
+        if (kept != i)
+            run->record[kept] = run->record[i];
+        table[at] = ++kept;
+    }
+    run->n_records = kept;
+    free(table);
+    return RL_OK;
+}
+
+static int apply(struct rl_run *run, const struct rl_axis *axis, struct rl_error *error)
+{
+    struct rl_run out = {0};
+    int status = RL_OK;
+    for (size_t first = 0, end; first < run->n_records && status == RL_OK; first = end) {
+        for (end = first + 1; end < run->n_records && run->record[end].group == run->record[first].group;)
+            end++;
+        status = expand_group(&out, run, first, end, axis, error);
+    }
+    if (status == RL_OK)
+        status = merge_same(&out, error);
+    if (status != RL_OK) {
+        rl_run_clear(&out);
+        return status;
+    }
+    free(run->record);
+    run->record = out.record;
+    run->n_records = out.n_records;
+    return RL_OK;
+}
+
+int rl_axes_apply(struct rl_run *run, const struct rl_axis *axes, size_t n_axes, rl_parameters_check *check,
+                  struct rl_error *error)
+{
+    struct rl_axis *axis = malloc(sizeof *axis);
+    if (!axis)
+        return rl_fail_memory(error, "an axis");
+    int status = RL_OK;
+    for (size_t i = 0; i < n_axes && status == RL_OK; i++) {
+        for (size_t k = 0; k < i && status == RL_OK; k++)
+            if (strcmp(axes[i].name, axes[k].name) == 0)
+                status = rl_fail(error, RL_ERR_INPUT, "--axis %s: given twice", axes[i].name);
+        *axis = axes[i];
+        if (status == RL_OK)
+            status = rl_axis_check(axis, run, check, error);
+        if (status == RL_OK)
+            status = apply(run, axis, error);
+    }
+    free(axis);
+    return status;
+}
