@@ -9,7 +9,6 @@
 #include "cli/output.h"
 #include "cli/render_options.h"
 #include "cli/study.h"
-#include "results/database.h"
 #include "studies/report.h"
 #include "studies/study.h"
 
@@ -23,9 +22,13 @@ static const struct rl_option study_options[] = {
      "run: other values of one parameter of the study's cases: rr=1,2,4 or rr=1:100:log9 (9 values, both "
      "ends "
      "included) or rr=0:1:lin5; may be given several times: every combination"},
+    {0, "dry-run", NULL,
+     "run: list the cases and the time they may take; nothing is measured, nothing written"},
     {0, "retry", NULL, "run: measure failed cases again"},
     {0, "again", NULL, "run: measure all cases again, done or not"},
     {0, "shard", "I/N", "run: measure the I-th of N shares only, the same on every machine"},
+    {0, "study", "NAME", "merge: name the cases of this study that no file has; may be given several times"},
+    {0, "allow-mixed", NULL, "merge: take together what different versions, renderers or scenes gave"},
     {0, "backend", "NAME",
      "run, report: auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
     {0, "threads", "N", "run, report: of the reference and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
@@ -67,39 +70,6 @@ static int list(const struct rl_arguments *a, struct rl_error *error)
     }
     rl_rows_end(&rows);
     return rl_exit_of(rl_output_check(error));
-}
-
-static int show_status(const struct rl_arguments *a, struct rl_error *error)
-{
-    enum rl_output format;
-    struct rl_database *db = NULL;
-    int status = rl_argument_output(a, &format, error);
-    if (status == RL_OK)
-        status = rl_database_open(&db, rl_study_database(a), RL_DATABASE_READ, error);
-    if (status != RL_OK)
-        return rl_exit_of(status);
-    struct rl_rows rows;
-    rl_rows_begin(&rows, format,
-                  (const char *[]){"study", "grid", "started", "planned", "measured", "failed", "commit",
-                                   "renderer", NULL});
-    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++) {
-        struct rl_run run;
-        status = rl_database_load_run(db, rl_studies[i]->name, &run, error);
-        if (status != RL_OK)
-            break;
-        rl_rows_text(&rows, run.study);
-        rl_rows_text(&rows, run.grid);
-        rl_rows_text(&rows, run.started);
-        rl_rows_integer(&rows, (long long)run.n_records);
-        rl_rows_integer(&rows, (long long)rl_run_count(&run, RL_RECORD_OK));
-        rl_rows_integer(&rows, (long long)rl_run_count(&run, RL_RECORD_FAILED));
-        rl_rows_text(&rows, run.provenance.commit);
-        rl_rows_text(&rows, run.provenance.renderer);
-        rl_run_clear(&run);
-    }
-    rl_rows_end(&rows);
-    rl_database_close(db);
-    return rl_exit_of(status == RL_OK ? rl_output_check(error) : status);
 }
 
 static int export_tables(const struct rl_arguments *a, struct rl_error *error)
@@ -147,8 +117,11 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
         bool takes_names;
         int (*run)(const struct rl_arguments *arguments, struct rl_error *error);
     } verbs[] = {
-        {"list", false, list},          {"run", true, rl_study_run_command},
-        {"status", false, show_status}, {"export", false, export_tables},
+        {"list", false, list},
+        {"run", true, rl_study_run_command},
+        {"status", false, rl_study_status_command},
+        {"export", false, export_tables},
+        {"merge", true, rl_study_merge_command},
         {"report", false, make_report},
     };
     for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
@@ -160,21 +133,24 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
         return verbs[i].run(a, error);
     }
     return rl_exit_of(rl_fail(error, RL_ERR_INPUT,
-                              "study: found '%s', expected list, run, status, export or report",
+                              "study: found '%s', expected list, run, status, export, merge or report",
                               a->positional[0]));
 }
 
 const struct rl_command rl_command_study = {
     .name = "study",
-    .arguments = "list | run NAME... | status | export | report  [options]",
+    .arguments = "list | run NAME... | status | export | merge INTO FROM... | report  [options]",
     .min_positionals = 1,
     .max_positionals = RL_CLI_POSITIONALS_MAX,
     .summary = "run studies into a database; export their tables; make the report",
     .description =
         "  list     what there is to run\n"
         "  run      measure the studies named; cases that the database has already are not measured again\n"
-        "  status   how many cases of each study's latest run are measured\n"
+        "  status   of each study's latest run and scene, how many cases are measured, failed (and why) and "
+        "open\n"
         "  export   one table for each study, frame_times, and claims with their verdicts\n"
+        "  merge    put the results of other databases into INTO; nothing measured there is replaced, "
+        "nothing is copied twice\n"
         "  report   the page with verdicts, pictures, plots and tables\n"
         "\n"
         "A run may be interrupted (Ctrl-C) or killed and goes on where it was when started again. Exit code "
@@ -187,7 +163,14 @@ const struct rl_command rl_command_study = {
         "Other values than the study's own: --axis. A group of cases that are timed together becomes one for "
         "each value.\n"
         "\n"
-        "  roughlight study run samples --quick --axis rr=1:1000:log4 --axis samples=1,4,16",
+        "  roughlight study run samples --quick --axis rr=1:1000:log4 --axis samples=1,4,16\n"
+        "\n"
+        "On two machines, then together. merge refuses what different versions, commits or renderers "
+        "measured, or scenes\n"
+        "that differ; with --study it names what no file has (exit code 3).\n"
+        "\n"
+        "  roughlight study run samples --full --shard 1/2 --db 1.db          (and 2/2 --db 2.db)\n"
+        "  roughlight study merge all.db 1.db 2.db --study samples",
     .options = options,
     .run = run,
 };

@@ -4,9 +4,11 @@
 #include <string.h>
 
 #include "cli/console.h"
+#include "cli/output.h"
 #include "cli/render_options.h"
 #include "cli/study.h"
 #include "results/database.h"
+#include "studies/forecast.h"
 #include "studies/runner.h"
 
 /* What the command line asks for. */
@@ -87,22 +89,102 @@ static int take_options(struct request *r, const struct rl_arguments *a, struct 
     return status == RL_OK ? rl_argument_threads(a, &run->threads, error) : status;
 }
 
-void rl_study_name_failures(const struct rl_study *const *studies, size_t n, const char *database)
+static void name_case(const struct rl_record *r)
+{
+    bool failed = r->status == RL_RECORD_FAILED;
+    fprintf(stderr, "roughlight: %s: %s %s %s%s%s\n", failed ? "failed" : "missing", r->study, r->scene,
+            r->parameters, failed ? ": " : "", failed ? r->message : "");
+}
+
+size_t rl_study_name_failures(const struct rl_study *const *studies, size_t n, const char *database,
+                              bool missing)
 {
     struct rl_database *db;
+    size_t named = 0;
     if (rl_database_open(&db, database, RL_DATABASE_READ, NULL) != RL_OK)
-        return;
+        return 0;
     for (size_t i = 0; i < n; i++) {
         struct rl_run run;
         if (rl_database_load_run(db, studies[i]->name, &run, NULL) != RL_OK)
             continue;
         for (size_t k = 0; k < run.n_records; k++)
-            if (run.record[k].status == RL_RECORD_FAILED)
-                fprintf(stderr, "roughlight: failed: %s %s %s: %s\n", run.study, run.record[k].scene,
-                        run.record[k].parameters, run.record[k].message);
+            if (run.record[k].status == RL_RECORD_FAILED ||
+                (missing && run.record[k].status == RL_RECORD_PLANNED)) {
+                name_case(&run.record[k]);
+                named++;
+            }
         rl_run_clear(&run);
     }
     rl_database_close(db);
+    return named;
+}
+
+/* A row each case of one study. */
+static void print_forecast(struct rl_rows *rows, const struct rl_forecast *f)
+{
+    static const char *const state[] = {
+        [RL_RECORD_PLANNED] = "open", [RL_RECORD_OK] = "done", [RL_RECORD_FAILED] = "failed"};
+    for (size_t i = 0; i < f->planned->run.n_records; i++) {
+        const struct rl_record *r = &f->planned->run.record[i];
+        const struct rl_forecast_entry *entry = &f->entry[i];
+        if (!entry->wanted)
+            continue;
+        rl_rows_text(rows, r->study);
+        rl_rows_text(rows, r->scene);
+        rl_rows_text(rows, r->parameters);
+        rl_rows_integer(rows, r->group);
+        rl_rows_text(rows, state[entry->state]);
+        rl_rows_text(rows, entry->open ? "yes" : "no");
+        rl_rows_number(rows, entry->group_seconds);
+        rl_rows_text(rows, rl_forecast_source_name(entry->source));
+        rl_rows_text(rows, r->identity);
+    }
+}
+
+/* "36 cases, 12 to be measured in 3 groups: about 20 s" and what is not in that sum. */
+static void print_sum(const struct rl_forecast *sum)
+{
+    fprintf(stderr, "dry run: %zu cases, %zu to be measured in %zu groups", sum->n_wanted, sum->n_open,
+            sum->groups_open);
+    if (sum->groups_open > sum->groups_unknown)
+        fprintf(stderr, ": about %.3g s", sum->seconds);
+    if (sum->groups_unknown > 0)
+        fprintf(stderr, "%s the time of %zu groups is unknown (nothing like them was measured)",
+                sum->groups_open > sum->groups_unknown ? ", and" : ":", sum->groups_unknown);
+    fprintf(stderr, "\n");
+}
+
+static int dry_run(const struct request *r, enum rl_output format, struct rl_error *error)
+{
+    struct rl_bench bench = {0};
+    struct rl_rows rows;
+    struct rl_forecast sum = {0};
+    int status = rl_bench_open(&bench, r->run.backend, r->run.threads, r->run.cache, NULL, error);
+    if (status != RL_OK)
+        return rl_exit_of(status);
+    for (size_t i = 0; i < r->n_studies && status == RL_OK; i++) {
+        struct rl_forecast f;
+        status = rl_forecast_make(&f, r->study[i], &r->run, &bench.provenance, error);
+        if (status != RL_OK)
+            break;
+        if (i == 0)
+            rl_rows_begin(&rows, format,
+                          (const char *[]){"study", "scene", "parameters", "group", "state", "measure",
+                                           "group_seconds", "seconds_from", "identity", NULL});
+        print_forecast(&rows, &f);
+        sum.n_wanted += f.n_wanted;
+        sum.n_open += f.n_open;
+        sum.groups_open += f.groups_open;
+        sum.groups_unknown += f.groups_unknown;
+        sum.seconds += f.seconds;
+        rl_forecast_clear(&f);
+    }
+    rl_bench_close(&bench);
+    if (status != RL_OK)
+        return rl_exit_of(status);
+    rl_rows_end(&rows);
+    print_sum(&sum);
+    return rl_exit_of(rl_output_check(error));
 }
 
 static int carry_out(const struct request *r, struct rl_error *error)
@@ -116,7 +198,7 @@ static int carry_out(const struct request *r, struct rl_error *error)
         fprintf(stderr, "%zu cases: %zu measured, %zu done before, %zu failed\n", outcome.planned,
                 outcome.measured, outcome.skipped, outcome.failed);
     if (outcome.failed > 0)
-        rl_study_name_failures(r->study, r->n_studies, r->run.database);
+        rl_study_name_failures(r->study, r->n_studies, r->run.database, false);
     return status == RL_OK && outcome.failed > 0 ? RL_EXIT_PARTIAL : rl_exit_of(status);
 }
 
@@ -128,7 +210,12 @@ int rl_study_run_command(const struct rl_arguments *a, struct rl_error *error)
     int status = take_studies(request, a, error);
     if (status == RL_OK)
         status = take_options(request, a, error);
-    int code = status == RL_OK ? carry_out(request, error) : rl_exit_of(status);
+    enum rl_output format = RL_OUTPUT_TSV;
+    if (status == RL_OK)
+        status = rl_argument_output(a, &format, error);
+    int code = rl_exit_of(status);
+    if (status == RL_OK)
+        code = rl_argument_flag(a, "dry-run") ? dry_run(request, format, error) : carry_out(request, error);
     free(request);
     return code;
 }

@@ -53,4 +53,9 @@ int rl_database_store(struct rl_database *db, const struct rl_run *run, size_t f
 int rl_database_load_run(struct rl_database *db, const char *study, struct rl_run *run,
                          struct rl_error *error);
 
+/* Every case of a study that was measured without failing, in whatever run and environment, the latest first: what it is and the
+ * seconds its group took, without figures. Free with rl_run_clear. */
+int rl_database_load_times(struct rl_database *db, const char *study, struct rl_run *run,
+                           struct rl_error *error);
+
 #endif

@@ -171,3 +171,36 @@ int rl_database_load_run(struct rl_database *db, const char *study, struct rl_ru
         rl_run_clear(run);
     return status;
 }
+
+int rl_database_load_times(struct rl_database *db, const char *study, struct rl_run *run,
+                           struct rl_error *error)
+{
+    *run = (struct rl_run){0};
+    snprintf(run->study, sizeof run->study, "%s", study);
+    sqlite3_stmt *s = NULL;
+    int status = rl_sql_prepare(db, &s, error,
+                                "SELECT scene, scene_hash, parameters, identity, seconds FROM cases"
+                                " WHERE study = ? AND status = 'ok' ORDER BY id DESC",
+                                "t", study);
+    if (status != RL_OK)
+        return status;
+    while ((status = rl_sql_row(db, s, error)) > 0) {
+        char scene[RL_NAME_MAX], hash[RL_HASH_TEXT], parameters[RL_PARAMETERS_MAX];
+        rl_sql_text(s, 0, scene, sizeof scene);
+        rl_sql_text(s, 1, hash, sizeof hash);
+        rl_sql_text(s, 2, parameters, sizeof parameters);
+        struct rl_place place = {study, scene, "", strtoull(hash, NULL, 16)};
+        struct rl_record *r = rl_run_add(run, &place, 0, error, "%s", parameters);
+        if (!r) {
+            status = RL_ERR_SYSTEM;
+            break;
+        }
+        rl_sql_text(s, 3, r->identity, sizeof r->identity);
+        r->status = RL_RECORD_OK;
+        r->seconds = rl_sql_number(s, 4);
+    }
+    sqlite3_finalize(s);
+    if (status != RL_OK)
+        rl_run_clear(run);
+    return status;
+}

@@ -178,6 +178,15 @@ int rl_record_series_add(struct rl_record *record, const char *name, const doubl
     return RL_OK;
 }
 
+bool rl_metric_timed(const struct rl_metric *m)
+{
+    static const char *const unit[] = {"ms", "s", "us", "ns", "1/s"};
+    for (size_t i = 0; i < sizeof unit / sizeof unit[0]; i++)
+        if (strcmp(m->unit, unit[i]) == 0)
+            return true;
+    return strncmp(m->name, "time_", 5) == 0 || strcmp(m->name, "frames") == 0;
+}
+
 const struct rl_metric *rl_record_metric(const struct rl_record *record, const char *name)
 {
     for (size_t i = 0; i < record->n_metrics; i++)

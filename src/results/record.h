@@ -103,6 +103,10 @@ int rl_record_metric_add(struct rl_record *record, const char *name, double valu
 int rl_record_series_add(struct rl_record *record, const char *name, const double *value, size_t n,
                          struct rl_error *error);
 
+/* Whether a metric depends on the clock, so that no two measurements of a case agree in it: its unit is one of time ("ms", "s", "1/s"),
+ * or it is a ratio of times ("time_...", "1") or the number of frames timed ("frames"). */
+bool rl_metric_timed(const struct rl_metric *metric);
+
 /* NULL if absent. */
 const struct rl_metric *rl_record_metric(const struct rl_record *record, const char *name);
 const struct rl_series *rl_record_series(const struct rl_record *record, const char *name);

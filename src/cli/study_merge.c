@@ -1,0 +1,55 @@
+/* `roughlight study merge`: the results of several databases in one. */
+#include <stdio.h>
+
+#include "cli/study.h"
+#include "results/merge.h"
+
+/* Those given with --study. */
+static int take_studies(const struct rl_study *study[], size_t *n, const struct rl_arguments *a,
+                        struct rl_error *error)
+{
+    const char *name;
+    for (*n = 0; (name = rl_argument_nth(a, "study", *n)); ++*n) {
+        study[*n] = rl_study_find(name);
+        if (!study[*n])
+            return rl_fail(error, RL_ERR_INPUT,
+                           "--study: there is no study '%s'; 'roughlight study list' lists them", name);
+    }
+    return RL_OK;
+}
+
+int rl_study_merge_command(const struct rl_arguments *a, struct rl_error *error)
+{
+    const struct rl_study *study[RL_CLI_GIVEN_MAX];
+    size_t n = 0, named = 0;
+    if (a->n_positionals < 3)
+        return rl_exit_of(rl_fail(error, RL_ERR_INPUT,
+                                  "study merge: found %zu files, expected INTO and at least one FROM",
+                                  a->n_positionals - 1));
+    struct rl_merge_options options = {.into = a->positional[1],
+                                       .from = a->positional + 2,
+                                       .n_from = a->n_positionals - 2,
+                                       .allow_mixed = rl_argument_flag(a, "allow-mixed")};
+    int status = take_studies(study, &n, a, error);
+    if (status != RL_OK)
+        return rl_exit_of(status);
+    struct rl_merge_outcome outcome;
+    status = rl_database_merge(&outcome, &options, error);
+    if (status == RL_OK) {
+        fprintf(stderr,
+                "%s: %zu cases copied, %zu there already, %zu measured twice with different results\n",
+                options.into, outcome.copied, outcome.known, outcome.differing);
+        for (const char *line = outcome.notes.data; line && *line;) {
+            int length = 0;
+            while (line[length] != '\n')
+                length++;
+            fprintf(stderr, "roughlight: %.*s\n", length, line);
+            line += length + 1;
+        }
+        named = n ? rl_study_name_failures(study, n, options.into, true)
+                  : rl_study_name_failures(rl_studies, rl_n_studies, options.into, false);
+        named += outcome.differing;
+    }
+    rl_merge_outcome_clear(&outcome);
+    return status == RL_OK && named > 0 ? RL_EXIT_PARTIAL : rl_exit_of(status);
+}

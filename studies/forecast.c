@@ -1,0 +1,124 @@
+/* Plans, looks up, and guesses times (see forecast.h). */
+#include "studies/forecast.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "results/database.h"
+
+const char *rl_forecast_source_name(enum rl_forecast_source source)
+{
+    static const char *const name[] = {[RL_FORECAST_UNKNOWN] = "unknown",
+                                       [RL_FORECAST_SIMILAR] = "similar case",
+                                       [RL_FORECAST_SAME] = "same case"};
+    return name[source];
+}
+
+void rl_forecast_clear(struct rl_forecast *f)
+{
+    rl_planned_free(f->planned);
+    free(f->entry);
+    *f = (struct rl_forecast){0};
+}
+
+/* In how many values two cases differ, or -1 if they have not the same parameters in the same order. */
+static int distance(const struct rl_record *a, const struct rl_record *b)
+{
+    int n = strcmp(a->scene_hash, b->scene_hash) != 0;
+    const char *p = a->parameters, *q = b->parameters;
+    while (*p && *q) {
+        size_t name = strcspn(p, "= "), length_p = strcspn(p, " "), length_q = strcspn(q, " ");
+        if (name != strcspn(q, "= ") || strncmp(p, q, name) != 0)
+            return -1;
+        n += length_p != length_q || strncmp(p, q, length_p) != 0;
+        p += length_p + strspn(p + length_p, " ");
+        q += length_q + strspn(q + length_q, " ");
+    }
+    return *p || *q ? -1 : n;
+}
+
+static double pixels(const struct rl_record *r)
+{
+    double n = rl_parameter_number(r->parameters, "width") * rl_parameter_number(r->parameters, "height");
+    return n > 0.0 ? n : 1.0;
+}
+
+/* The time of a group by its first case. `times` has the latest measurement first. */
+static void guess(struct rl_forecast_entry *entry, const struct rl_record *r, const struct rl_run *times)
+{
+    int nearest = -1;
+    entry->group_seconds = NAN;
+    for (size_t i = 0; i < times->n_records; i++) {
+        int d = distance(r, &times->record[i]);
+        if (d < 0 || (nearest >= 0 && d >= nearest))
+            continue;
+        nearest = d;
+        entry->group_seconds = times->record[i].seconds * pixels(r) / pixels(&times->record[i]);
+        entry->source = d == 0 ? RL_FORECAST_SAME : RL_FORECAST_SIMILAR;
+        if (d == 0)
+            return;
+    }
+}
+
+/* As the runner decides it. */
+static bool is_open(const struct rl_forecast_entry *entry, size_t n, const struct rl_run_options *options)
+{
+    bool failed = false, planned = options->again;
+    for (size_t i = 0; i < n; i++) {
+        failed = failed || entry[i].state == RL_RECORD_FAILED;
+        planned = planned || entry[i].state == RL_RECORD_PLANNED;
+    }
+    return planned || (failed && options->retry);
+}
+
+static int look_up(struct rl_forecast *f, const struct rl_run_options *options, struct rl_database *db,
+                   const struct rl_run *times, struct rl_error *error)
+{
+    const struct rl_run *run = &f->planned->run;
+    int status = RL_OK;
+    for (size_t first = 0, end; first < run->n_records && status == RL_OK; first = end) {
+        struct rl_forecast_entry *entry = &f->entry[first];
+        end = rl_group_end(run, first);
+        for (size_t i = first; i < end && db && status == RL_OK; i++)
+            status = rl_database_state(db, run->record[i].identity, &f->entry[i].state, error);
+        entry->wanted = rl_group_wanted(run, first, options);
+        entry->open = entry->wanted && is_open(entry, end - first, options);
+        guess(entry, &run->record[first], times);
+        for (size_t i = first + 1; i < end; i++) {
+            enum rl_record_status state = f->entry[i].state;
+            f->entry[i] = *entry;
+            f->entry[i].state = state;
+        }
+        f->n_wanted += entry->wanted ? end - first : 0;
+        f->n_open += entry->open ? end - first : 0;
+        f->groups_open += entry->open;
+        f->groups_unknown += entry->open && isnan(entry->group_seconds);
+        f->seconds += entry->open && !isnan(entry->group_seconds) ? entry->group_seconds : 0.0;
+    }
+    return status;
+}
+
+int rl_forecast_make(struct rl_forecast *f, const struct rl_study *study,
+                     const struct rl_run_options *options, const struct rl_provenance *provenance,
+                     struct rl_error *error)
+{
+    *f = (struct rl_forecast){0};
+    struct rl_database *db = NULL;
+    struct rl_run times = {0};
+    int status = rl_planned_make(&f->planned, study, options, provenance, error);
+    if (status == RL_OK && access(options->database, F_OK) == 0)
+        status = rl_database_open(&db, options->database, RL_DATABASE_READ, error);
+    if (status == RL_OK && db)
+        status = rl_database_load_times(db, study->name, &times, error);
+    if (status == RL_OK) {
+        f->entry = calloc(f->planned->run.n_records + 1, sizeof *f->entry);
+        status = f->entry ? look_up(f, options, db, &times, error) : rl_fail_memory(error, "a forecast");
+    }
+    rl_run_clear(&times);
+    rl_database_close(db);
+    if (status != RL_OK)
+        rl_forecast_clear(f);
+    return status;
+}

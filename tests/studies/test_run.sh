@@ -1,0 +1,154 @@
+#!/bin/sh
+# `study run` and what belongs to it, at the command line: other values for any parameter, dry runs, retries, measuring again,
+# shares that several machines measure and merge, and what `study status` says of it.
+set -u
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+rl=$ROUGHLIGHT
+db=$tmp/results.db
+tab=$(printf '\t')
+n=0
+
+# check NAME CONDITION...: the condition is a command
+check() {
+    name=$1
+    n=$((n + 1))
+    shift
+    if "$@"; then echo "ok - $name"; else echo "not ok - $name"; fi
+}
+
+# exits CODE COMMAND...
+exits() {
+    wanted=$1
+    shift
+    "$@" >"$tmp/stdout" 2>"$tmp/stderr"
+    code=$?
+    [ $code -eq "$wanted" ] || { echo "# exit code $code, expected $wanted: $(tail -n 2 "$tmp/stderr")" && false; }
+}
+
+# said PATTERN: on the last command's stderr
+said() { grep -q -- "$1" "$tmp/stderr" || { echo "# no /$1/ in: $(cat "$tmp/stderr")" && false; }; }
+
+# refused NAME PATTERN ARGUMENTS...: exit code 2, and one line on stderr that matches
+refused() {
+    name=$1 pattern=$2
+    shift 2
+    one_line() { exits 2 "$rl" "$@" && said "$pattern" && [ "$(wc -l <"$tmp/stderr")" -eq 1 ] && [ ! -s "$tmp/stdout" ]; }
+    check "$name" one_line "$@"
+}
+
+column() { # column NAME FILE: the values of a column of a TSV file
+    awk -F "$tab" -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$2"
+}
+
+# The smallest cases there are: 10 groups, 12 cases.
+small="samples --quick --axis rr=30 --axis rounds=0 --axis seeds=2 --axis width=32 --axis height=24 --axis samples=1,4"
+
+# ---- Bad requests ------------------------------------------------------------------------------------------------
+
+refused "an axis of no study" "expected one of series, setting, method, samples, rr" study run samples --axis roughness=3 --db "$db"
+refused "one that only one of two studies has" "no case of the study fps has that parameter" study run samples fps --axis rr=3 --db "$db"
+refused "a value that the bench refuses" "found '3', expected 4 to 16" study run samples --axis normal_bits=8,3 --db "$db"
+refused "a value that the study refuses" "found 65 seeds, expected 1 to 64" study run samples --axis seeds=65 --db "$db"
+refused "no values" "expected NAME=VALUE" study run samples --axis rr --db "$db"
+for shard in 0/3 4/3 1 /3 1/ -1/3 1/3x 1.5/3; do
+    refused "shard $shard" "found '$shard', expected I/N with 1 <= I <= N" study run samples --shard "$shard" --db "$db"
+done
+refused "merging nothing" "expected INTO and at least one FROM" study merge "$db"
+refused "merging what is not there" "nowhere.db: cannot open" study merge "$db" "$tmp/nowhere.db"
+refused "merging an unknown study" "no study 'sample'" study merge "$db" "$tmp/nowhere.db" --study sample
+check "none of this leaves a file" [ -z "$(find "$tmp" -name '*.db*')" ]
+
+# ---- Dry run -----------------------------------------------------------------------------------------------------
+
+# shellcheck disable=SC2086
+check "a dry run of nothing done" exits 0 "$rl" study run $small --dry-run --db "$db"
+mv "$tmp/stdout" "$tmp/dry.tsv"
+check "counts the cases" said "^dry run: 12 cases, 12 to be measured in 10 groups: the time of 10 groups is unknown"
+check "lists them" [ "$(column state "$tmp/dry.tsv" | sort | uniq -c | tr -s ' ')" = " 12 open" ]
+check "writes nothing" [ -z "$(find "$tmp" -name '*.db*')" -a ! -e "$tmp/cache" ]
+
+# ---- An axis, measured and skipped -------------------------------------------------------------------------------
+
+# shellcheck disable=SC2086
+check "a run with axes" exits 0 "$rl" study run $small --db "$db"
+check "measures every combination" said "^12 cases: 12 measured, 0 done before, 0 failed"
+"$rl" study export --db "$db" -o "$tmp/tables" 2>/dev/null
+check "with these values" [ "$(column samples "$tmp/tables/samples.tsv" | sort -u | tr '\n' ' ')" = "1 4 " ]
+check "and no others" [ "$(column width_px "$tmp/tables/samples.tsv" | sort -u)" = 32 ]
+check "and the claims say how to get them" grep -q -- "--scene teapot-star --quick --axis rr=30 --axis rounds=0" "$tmp/tables/claims.tsv"
+# shellcheck disable=SC2086
+check "once more" exits 0 "$rl" study run $small --db "$db"
+check "has nothing to do" said "^12 cases: 0 measured, 12 done before, 0 failed"
+# shellcheck disable=SC2086
+check "a dry run of what is done" exits 0 "$rl" study run $small --dry-run --format json --db "$db"
+check "says so" said "^dry run: 12 cases, 0 to be measured in 0 groups$"
+check "in JSON too" [ "$(grep -c '"state": "done", "measure": "no".*"seconds_from": "same case"' "$tmp/stdout")" -eq 12 ]
+# shellcheck disable=SC2086
+check "a dry run of similar cases" exits 0 "$rl" study run $small --axis env_size=128 --dry-run --db "$db"
+check "estimates their time" said "^dry run: 6 cases, 6 to be measured in 4 groups: about [0-9.]* s$"
+check "and says from what" [ "$(column seconds_from "$tmp/stdout" | sort -u)" = "similar case" ]
+
+# ---- Measuring again ---------------------------------------------------------------------------------------------
+
+cp "$tmp/tables/samples.tsv" "$tmp/before.tsv"
+# shellcheck disable=SC2086
+check "--again" exits 0 "$rl" study run $small --again --db "$db"
+check "measures what is done" said "^12 cases: 12 measured, 0 done before, 0 failed"
+"$rl" study export --db "$db" -o "$tmp/tables" 2>/dev/null
+check "with the same results" cmp -s "$tmp/before.tsv" "$tmp/tables/samples.tsv"
+
+# ---- Failures: kept, named, retried on request -------------------------------------------------------------------
+
+mkdir "$tmp/f"
+echo "in the way of the folder for references" >"$tmp/f/cache"
+failing() { exits 3 "$rl" study run $small --db "$tmp/f/results.db" "$@"; }
+check "cases that fail: exit code 3" failing
+check "each is named with the reason" [ "$(grep -c 'failed: samples teapot-star series=.*cache' "$tmp/stderr")" -eq 12 ]
+rm "$tmp/f/cache"
+check "with the fault repaired they are left alone" failing
+check "and still named" [ "$(grep -c 'failed: samples teapot-star series=.*cache' "$tmp/stderr")" -eq 12 ]
+"$rl" study status --db "$tmp/f/results.db" >"$tmp/status.tsv"
+row() { awk -F "$tab" -v s="$1" 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $1 == s {
+    print $c["scene"], $c["planned"], $c["measured"], $c["failed"], $c["open"], $c["reason"] }' "$tmp/status.tsv"; }
+check "status has number and reason" [ "$(row samples | grep -c '^teapot-star 12 0 12 0 12: .*cache')" -eq 1 ]
+# shellcheck disable=SC2086
+check "--retry" exits 0 "$rl" study run $small --retry --db "$tmp/f/results.db"
+check "measures them" said "^12 cases: 12 measured, 0 done before, 0 failed"
+"$rl" study status --db "$tmp/f/results.db" >"$tmp/status.tsv"
+check "and status knows" [ "$(row samples)" = "teapot-star 12 12 0 0 " ]
+check "a study never run has a row of nothing" [ "$(row fps)" = " 0 0 0 0 " ]
+
+# ---- Shares, and together again ----------------------------------------------------------------------------------
+
+for i in 1 2 3; do
+    # shellcheck disable=SC2086
+    check "share $i of 3" exits 0 "$rl" study run $small --shard $i/3 --db "$tmp/$i/results.db"
+done
+"$rl" study status --db "$tmp/1/results.db" >"$tmp/status.tsv"
+check "a share knows of the rest" [ "$(column planned "$tmp/status.tsv" | head -n 1)" -eq 12 -a "$(column open "$tmp/status.tsv" | head -n 1)" -gt 0 ]
+check "two of three" exits 3 "$rl" study merge "$tmp/all.db" "$tmp/1/results.db" "$tmp/2/results.db" --study samples
+check "what is missing is named" said "missing: samples teapot-star series="
+check "without being told so, it is not" exits 0 "$rl" study merge "$tmp/all.db" "$tmp/1/results.db" "$tmp/2/results.db"
+check "all three, in another order" exits 0 "$rl" study merge "$tmp/all.db" "$tmp/3/results.db" "$tmp/1/results.db" "$tmp/2/results.db" --study samples
+"$rl" study export --db "$tmp/all.db" -o "$tmp/tables" 2>/dev/null
+check "together they are what one run gives" cmp -s "$tmp/before.tsv" "$tmp/tables/samples.tsv"
+cp "$tmp/all.db" "$tmp/once.db"
+check "merged once more" exits 0 "$rl" study merge "$tmp/all.db" "$tmp/3/results.db" "$tmp/1/results.db" "$tmp/2/results.db"
+check "nothing changes" cmp -s "$tmp/all.db" "$tmp/once.db"
+# shellcheck disable=SC2086
+check "a run goes on from there" exits 0 "$rl" study run $small --db "$tmp/all.db"
+check "with nothing to do" said "^12 cases: 0 measured, 12 done before, 0 failed"
+
+sed 's/field-of-view: 32/field-of-view: 33/' studies/scenes/sphere-quad.yaml >"$tmp/sphere-quad.yaml"
+for i in 1 2; do
+    scene=$([ $i -eq 1 ] && echo sphere-quad || echo "$tmp/sphere-quad.yaml")
+    # shellcheck disable=SC2086
+    check "a scene called sphere-quad" exits 0 "$rl" study run $small --scene "$scene" --shard 1/4 --db "$tmp/scene-$i.db"
+done
+refused "another scene of that name" "found scene sphere-quad .*--allow-mixed" study merge "$tmp/scenes.db" "$tmp/scene-1.db" "$tmp/scene-2.db"
+check "unless it is allowed" exits 0 "$rl" study merge "$tmp/scenes.db" "$tmp/scene-1.db" "$tmp/scene-2.db" --allow-mixed
+
+check "--help teaches axes" sh -c "'$rl' study --help | grep -q -- '--axis rr=1:1000:log4'"
+check "and shares" sh -c "'$rl' study --help | grep -q 'study merge all.db 1.db 2.db --study samples'"
+echo "1..$n"
