@@ -19,9 +19,8 @@ static const struct rl_option study_options[] = {
     {0, "quick", NULL, "run: a small grid, seconds: to see that all works"},
     {0, "full", NULL, "run: the full grid, as long as it takes"},
     {0, "axis", "NAME=VALUES",
-     "run: other values of one parameter of the study's cases: rr=1,2,4 or rr=1:100:log9 (9 values, both "
-     "ends "
-     "included) or rr=0:1:lin5; may be given several times: every combination"},
+     "run: other values of a parameter of the cases: rr=1,2,4 or rr=1:100:log9 or rr=0:1:lin5; several: "
+     "every combination"},
     {0, "dry-run", NULL,
      "run: list the cases and the time they may take; nothing is measured, nothing written"},
     {0, "retry", NULL, "run: measure failed cases again"},
@@ -32,11 +31,13 @@ static const struct rl_option study_options[] = {
     {0, "backend", "NAME",
      "run, report: auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
     {0, "threads", "N", "run, report: of the reference and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
+    {0, "format", "tsv|json|csv",
+     "how rows are printed, and the tables of export written; csv: export only (tsv)"},
     {'o', "output", "DIR", "export, report: where to write (build/tables, build/report)"},
     {0},
 };
 
-static const struct rl_option *const options[] = {study_options, rl_options_format, NULL};
+static const struct rl_option *const options[] = {study_options, NULL};
 
 const char *rl_study_database(const struct rl_arguments *a)
 {
@@ -72,19 +73,73 @@ static int list(const struct rl_arguments *a, struct rl_error *error)
     return rl_exit_of(rl_output_check(error));
 }
 
+static int take_export_format(enum rl_export_format *format, const struct rl_arguments *a,
+                              struct rl_error *error)
+{
+    static const enum rl_export_format formats[] = {RL_EXPORT_TSV, RL_EXPORT_JSON, RL_EXPORT_CSV};
+    const char *text = rl_argument(a, "format");
+    *format = RL_EXPORT_TSV;
+    for (size_t i = 0; text && i < sizeof formats / sizeof formats[0]; i++) {
+        *format = formats[i];
+        if (strcmp(text, rl_export_ending(formats[i]) + 1) == 0)
+            return RL_OK;
+    }
+    return text ? rl_fail(error, RL_ERR_INPUT, "--format: found '%s', expected tsv, json or csv", text)
+                : RL_OK;
+}
+
 static int export_tables(const struct rl_arguments *a, struct rl_error *error)
 {
-    enum rl_output format;
+    enum rl_export_format format;
     const char *folder = rl_argument(a, "output");
     struct rl_report_data data = {0};
-    int status = rl_argument_output(a, &format, error);
+    int status = take_export_format(&format, a, error);
     if (status == RL_OK)
         status = rl_report_load(&data, rl_study_database(a), error);
     if (status == RL_OK)
-        status = rl_report_export(&data, folder ? folder : "build/tables",
-                                  format == RL_OUTPUT_JSON ? RL_EXPORT_JSON : RL_EXPORT_TSV, error);
+        status = rl_report_export(&data, folder ? folder : "build/tables", format, error);
     rl_report_clear(&data);
     return rl_exit_of(status);
+}
+
+/* The columns of every table that export writes, wrapped. */
+static void print_columns(const char *name, const char *summary, const struct rl_column *column, size_t n)
+{
+    printf("  %s: %s\n     ", name, summary);
+    size_t used = 5;
+    for (size_t i = 0; i < n; i++) {
+        size_t length = strlen(column[i].name) + 1;
+        if (used + length > 110) {
+            printf("\n     ");
+            used = 5;
+        }
+        printf(" %s", column[i].name);
+        used += length;
+    }
+    printf("\n");
+}
+
+static void print_tables(void)
+{
+    static const struct rl_column samples[] = {{.name = "study"},  {.name = "scene"}, {.name = "parameters"},
+                                               {.name = "series"}, {.name = "index"}, {.name = "value"}};
+    static const struct rl_column claims[] = {{.name = "claim"}, {.name = "verdict"}, {.name = "value"},
+                                              {.name = "low"},   {.name = "high"},    {.name = "unit"},
+                                              {.name = "study"}, {.name = "command"}};
+    printf("\nThe tables of export; columns are added at times, none is renamed. NAME_low and NAME_high: the "
+           "95 %% interval of "
+           "NAME.\n_ms, _px: the unit; without: a pure number, of radiance 1 = full scale. nan (JSON: null): "
+           "not measured.\n"
+           "studies/README.md says what each is.\n\n");
+    for (size_t i = 0; i < rl_n_studies; i++)
+        for (size_t t = 0; t < rl_studies[i]->n_tables; t++) {
+            const struct rl_table *table = &rl_studies[i]->tables[t];
+            print_columns(table->name, table->summary, table->column, table->n_columns);
+        }
+    print_columns("frame_times", "every raw figure of every case, in the order taken", samples,
+                  sizeof samples / sizeof samples[0]);
+    print_columns("claims", "every claim with its verdict and the command that reproduces it", claims,
+                  sizeof claims / sizeof claims[0]);
 }
 
 static int make_report(const struct rl_arguments *a, struct rl_error *error)
@@ -148,7 +203,8 @@ const struct rl_command rl_command_study = {
         "  run      measure the studies named; cases that the database has already are not measured again\n"
         "  status   of each study's latest run and scene, how many cases are measured, failed (and why) and "
         "open\n"
-        "  export   one table for each study, frame_times, and claims with their verdicts\n"
+        "  export   a file for each study's table, for frame_times and for claims with their verdicts: .tsv, "
+        ".json or .csv\n"
         "  merge    put the results of other databases into INTO; nothing measured there is replaced, "
         "nothing is copied twice\n"
         "  report   the page with verdicts, pictures, plots and tables\n"
@@ -172,5 +228,6 @@ const struct rl_command rl_command_study = {
         "  roughlight study run samples --full --shard 1/2 --db 1.db          (and 2/2 --db 2.db)\n"
         "  roughlight study merge all.db 1.db 2.db --study samples",
     .options = options,
+    .more_help = print_tables,
     .run = run,
 };

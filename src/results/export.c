@@ -1,13 +1,22 @@
-/* Rows of TSV and JSON, and how records become rows (see export.h). */
+/* Rows of TSV, CSV and JSON, and how records become rows (see export.h). */
 #include "results/export.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 const char *rl_export_ending(enum rl_export_format format)
 {
-    return format == RL_EXPORT_JSON ? ".json" : ".tsv";
+    static const char *const ending[] = {
+        [RL_EXPORT_TSV] = ".tsv", [RL_EXPORT_JSON] = ".json", [RL_EXPORT_CSV] = ".csv"};
+    return ending[format];
+}
+
+/* What ends a row of a table that is no JSON. */
+static const char *row_end(enum rl_export_format format)
+{
+    return format == RL_EXPORT_CSV ? "\r\n" : "\n";
 }
 
 void rl_export_begin(struct rl_export *t, struct rl_buffer *out, enum rl_export_format format,
@@ -16,15 +25,17 @@ void rl_export_begin(struct rl_export *t, struct rl_buffer *out, enum rl_export_
     *t = (struct rl_export){.out = out, .format = format, .column = column, .n_columns = n_columns};
     if (format == RL_EXPORT_JSON)
         rl_buffer_add(out, "[");
-    for (size_t i = 0; format == RL_EXPORT_TSV && i < n_columns; i++)
-        rl_buffer_printf(out, "%s%c", column[i], i + 1 < n_columns ? '\t' : '\n');
+    for (size_t i = 0; format != RL_EXPORT_JSON && i < n_columns; i++)
+        rl_buffer_printf(out, "%s%s", i == 0 ? "" : format == RL_EXPORT_CSV ? "," : "\t", column[i]);
+    if (format != RL_EXPORT_JSON)
+        rl_buffer_add(out, row_end(format));
 }
 
 static void begin_value(const struct rl_export *t)
 {
-    if (t->format == RL_EXPORT_TSV) {
+    if (t->format != RL_EXPORT_JSON) {
         if (t->next > 0)
-            rl_buffer_add(t->out, "\t");
+            rl_buffer_add(t->out, t->format == RL_EXPORT_CSV ? "," : "\t");
         return;
     }
     if (t->next == 0)
@@ -39,9 +50,27 @@ static void end_value(struct rl_export *t)
 {
     if (++t->next < t->n_columns)
         return;
-    rl_buffer_add(t->out, t->format == RL_EXPORT_TSV ? "\n" : "}");
+    rl_buffer_add(t->out, t->format == RL_EXPORT_JSON ? "}" : row_end(t->format));
     t->next = 0;
     t->n_rows++;
+}
+
+static void csv_text(struct rl_buffer *out, const char *value)
+{
+    if (!strpbrk(value, ",\"\r\n")) {
+        rl_buffer_add(out, value);
+        return;
+    }
+    rl_buffer_add(out, "\"");
+    for (; *value; value++)
+        rl_buffer_printf(out, "%s%c", *value == '"' ? "\"" : "", *value);
+    rl_buffer_add(out, "\"");
+}
+
+static void tsv_text(struct rl_buffer *out, const char *value)
+{
+    for (; *value; value++)
+        rl_buffer_printf(out, "%c", *value == '\t' || *value == '\n' || *value == '\r' ? ' ' : *value);
 }
 
 void rl_export_text(struct rl_export *t, const char *value)
@@ -49,9 +78,10 @@ void rl_export_text(struct rl_export *t, const char *value)
     begin_value(t);
     if (t->format == RL_EXPORT_JSON)
         rl_buffer_json(t->out, value);
+    else if (t->format == RL_EXPORT_CSV)
+        csv_text(t->out, value);
     else
-        for (; *value; value++)
-            rl_buffer_printf(t->out, "%c", *value == '\t' || *value == '\n' || *value == '\r' ? ' ' : *value);
+        tsv_text(t->out, value);
     end_value(t);
 }
 

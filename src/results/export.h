@@ -1,11 +1,11 @@
-/* Tables out of the results: as TSV with a header row, or as an array of objects of JSON.
+/* Tables out of the results: as TSV or CSV with a header row, or as an array of objects of JSON.
  *
  *     rl_export_begin(&table, &text, RL_EXPORT_TSV, columns, n);
  *     rl_export_text(&table, "random"); rl_export_number(&table, 4);     a row is complete with its last column
  *     rl_export_end(&table);
  *
  * Numbers read back as the same double; "nan" stands for what was not measured (null in JSON). A tab or line end inside a text
- * becomes a blank. A study says with rl_table how its records become rows; columns of such tables are part of the interface:
+ * becomes a blank in TSV; CSV is as RFC 4180 has it, and quotes what has a comma, a quote or a line end. A study says with rl_table how its records become rows; columns of such tables are part of the interface:
  * add some, never rename one.
  */
 #ifndef RL_RESULTS_EXPORT_H
@@ -16,7 +16,7 @@
 #include "results/buffer.h"
 #include "results/record.h"
 
-enum rl_export_format { RL_EXPORT_TSV, RL_EXPORT_JSON };
+enum rl_export_format { RL_EXPORT_TSV, RL_EXPORT_JSON, RL_EXPORT_CSV };
 
 struct rl_export {
     struct rl_buffer *out;
@@ -75,7 +75,7 @@ void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t 
 /* A column's value in a record, as a text ready to be printed. */
 void rl_column_text(char text[], size_t size, const struct rl_column *column, const struct rl_record *record);
 
-/* ".tsv" or ".json" */
+/* ".tsv", ".json" or ".csv" */
 const char *rl_export_ending(enum rl_export_format format);
 
 #endif

@@ -1,4 +1,4 @@
-/* Tables as TSV and JSON: columns, values that read back, awkward texts. */
+/* Tables as TSV, CSV and JSON: columns, values that read back, awkward texts. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -68,6 +68,43 @@ static void test_tables(void **state)
     rl_run_clear(&run);
 }
 
+static void test_csv(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *field;
+    } row[] = {
+        {"plain, no", "\"plain, no\""},
+        {"a \"word\"", "\"a \"\"word\"\"\""},
+        {"\"", "\"\"\"\""},
+        {"two\nlines", "\"two\nlines\""},
+        {"back\r", "\"back\r\""},
+        {"a\ttab; and so on", "a\ttab; and so on"},
+        {" blanks ", " blanks "},
+        {"", ""},
+    };
+    static const char *const name[] = {"text", "number"};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct rl_buffer text = {0};
+        struct rl_export t;
+        char expected[128];
+        rl_export_begin(&t, &text, RL_EXPORT_CSV, name, 2);
+        rl_export_text(&t, row[i].text);
+        rl_export_number(&t, 0.1);
+        rl_export_end(&t);
+        snprintf(expected, sizeof expected, "text,number\r\n%s,0.1\r\n", row[i].field);
+        expect(&text, expected);
+    }
+    struct rl_run run;
+    struct rl_buffer text = {0};
+    make_run(&run);
+    rl_export_run(&text, &table, &run, RL_EXPORT_CSV);
+    expect(&text, "scene,scene_hash,method,samples,frame_ms,frame_ms_low,frame_ms_high,rmse\r\n"
+                  "a\tb,00000000000000ff,random,4,0.1,0.05,inf,nan\r\n");
+    rl_run_clear(&run);
+    assert_string_equal(rl_export_ending(RL_EXPORT_CSV), ".csv");
+}
+
 static void test_numbers(void **state)
 {
     (void)state;
@@ -132,10 +169,8 @@ static void test_claims_table(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tables),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_growth),
-        cmocka_unit_test(test_claims_table),
+        cmocka_unit_test(test_tables), cmocka_unit_test(test_csv),          cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_growth), cmocka_unit_test(test_claims_table),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
