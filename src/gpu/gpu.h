@@ -52,6 +52,11 @@ int rl_gpu_scene_make(struct rl_gpu_scene **out, struct rl_gpu *gpu, const struc
                       const struct rl_plan *plan, struct rl_error *error);
 void rl_gpu_scene_free(struct rl_gpu_scene *gs);
 
+/* The normal map of these settings (normal_bits, normal_size, seed) as shaders get it: baked, uploaded, and read back as floats, four a
+ * texel: (H + 1)/2 and alpha, row by row. free() them. Draws nothing and keeps nothing on the GPU. */
+int rl_gpu_normal_map_read(float **texels, struct rl_gpu *gpu, const struct rl_plan_normal_map *map,
+                           const struct rl_settings *settings, struct rl_error *error);
+
 /* Draws one frame (surface, sphere and highlight passes) into the scene's frame buffer and waits until it is
  * finished; *seconds is its wall time. The environment maps are not drawn again: */
 int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "gpu/context.h"
 #include "model/ellipsoid.h"
 
 enum { HALF_MANTISSA = 10 }; /* explicit bits */
@@ -196,6 +197,46 @@ int rl_normal_map_make(GLuint *texture, struct rl_gl *gl, const struct rl_plan_n
     free(texels.data);
     *bytes += texels.bytes;
     return rl_gl_check(gl, "the normal map", error);
+}
+
+/* Every format that a normal map may have can be attached to a frame buffer and read from there. */
+static int read_texture(float **texels, struct rl_gl *gl, GLuint texture, int size, struct rl_error *error)
+{
+    GLuint framebuffer;
+    gl->GenFramebuffers(1, &framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    int status = RL_OK;
+    if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        status = rl_fail(error, RL_ERR_UNAVAILABLE, "this OpenGL cannot read the normal map's format back");
+    *texels = malloc((size_t)size * (size_t)size * 4 * sizeof **texels);
+    if (status == RL_OK && !*texels)
+        status = rl_fail_memory(error, "the normal map");
+    if (status == RL_OK) {
+        gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+        gl->ReadPixels(0, 0, size, size, GL_RGBA, GL_FLOAT, *texels);
+        status = rl_gl_check(gl, "reading the normal map", error);
+    }
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl->DeleteFramebuffers(1, &framebuffer);
+    return status;
+}
+
+int rl_gpu_normal_map_read(float **texels, struct rl_gpu *gpu, const struct rl_plan_normal_map *map,
+                           const struct rl_settings *settings, struct rl_error *error)
+{
+    GLuint texture = 0;
+    size_t bytes = 0;
+    *texels = NULL;
+    int status = rl_normal_map_make(&texture, &gpu->gl, map, settings, &bytes, error);
+    if (status == RL_OK)
+        status = read_texture(texels, &gpu->gl, texture, settings->normal_size, error);
+    gpu->gl.DeleteTextures(1, &texture);
+    if (status != RL_OK) {
+        free(*texels);
+        *texels = NULL;
+    }
+    return status;
 }
 
 int rl_pattern_make(GLuint *buffer, struct rl_gl *gl, const struct rl_plan_pattern *pattern, size_t *bytes,

@@ -70,6 +70,36 @@ static void normals_are_the_methods_to_their_bits(void **state)
     }
 }
 
+/* What is read back from the GPU is what was baked: no driver's format or rounding stands between. */
+static void the_gpu_holds_what_was_baked(void **state)
+{
+    (void)state;
+    static const int bits[] = {4, 5, 6, 8, 10, 12, 16, RL_NORMAL_BITS_HALF, RL_NORMAL_BITS_FLOAT};
+    const struct rl_plan_normal_map map = {.rr = 30.0, .method = rl_method_find("random")};
+    struct rl_error error;
+    struct rl_gpu *gpu;
+    check_ok(rl_gpu_open(&gpu, "auto", &error), &error);
+    for (size_t b = 0; b < sizeof bits / sizeof bits[0]; b++) {
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        struct rl_normal_texels texels;
+        float *read;
+        settings.normal_bits = bits[b];
+        settings.normal_size = 64;
+        settings.seed = 9;
+        check_ok(rl_normal_texels_make(&texels, &map, &settings, &error), &error);
+        check_ok(rl_gpu_normal_map_read(&read, gpu, &map, &settings, &error), &error);
+        for (size_t i = 0; i < (size_t)64 * 64; i++) {
+            double h[3];
+            decode(h, &texels, i);
+            for (size_t c = 0; c < 3; c++)
+                check_near(2.0 * read[4 * i + c] - 1.0, h[c], 2.5e-7);
+        }
+        free(read);
+        free(texels.data);
+    }
+    rl_gpu_close(gpu);
+}
+
 static void samples_of_a_pixel_are_distinct_texels(void **state)
 {
     (void)state;
@@ -133,6 +163,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normals_are_the_methods_to_their_bits),
+        cmocka_unit_test(the_gpu_holds_what_was_baked),
         cmocka_unit_test(samples_of_a_pixel_are_distinct_texels),
         cmocka_unit_test(units_keep_floats_exact),
         cmocka_unit_test(texels_are_safe_from_either_rounding),
