@@ -1,0 +1,151 @@
+# Figures of the study `distribution`, from distribution.tsv, generators.tsv and frame_times.tsv (histograms and pictures).
+#
+#   gnuplot -c plots/distribution.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
+#
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is fit, histogram, width, tilt, generators or pictures.
+folder = ARG2
+output = ARG3
+figure = ARG4
+load ARG1
+data = folder . "/distribution.tsv"
+raw = folder . "/frame_times.tsv"
+
+# The size of which all R_r and formats were measured: the largest at R_r = 1.
+stats data using (column("rr") == 1 ? column("normal_size_px") : NaN) name "SIZE" nooutput
+if (!exists("SIZE_max")) { exit status 3 }
+formats = ""
+note(s) = (strstrt(" " . formats, " " . s . " ") == 0 ? formats = formats . s . " " : formats, 1)
+stats data using (column("normal_size_px") == SIZE_max ? note(strcol("normal_bits")) : NaN) nooutput
+name(s) = s eq "half" || s eq "float" ? s : s . " bits"
+at(format) = column("normal_size_px") == SIZE_max && strcol("normal_bits") eq format ? column("rr") : NaN
+above_zero(x) = x > 1e-12 ? x : 1e-12
+map = sprintf(", maps of %g × %g", SIZE_max, SIZE_max)
+
+# More formats than the style has line types.
+set linetype 8 linecolor rgb "#8b4513" dashtype 1 pointtype 8
+set linetype 9 linecolor rgb "#6a3d9a" dashtype 1 pointtype 2
+set linetype cycle 9
+# Bars side by side, else they cover each other.
+aside(i, x) = x * 1.03 ** (i - 4.5)
+
+set xlabel "R_r"
+set bmargin 9.5
+if (words(formats) > 5) {
+    set key maxcols 5
+}
+
+if (figure eq "fit") {
+    set title "Distance of the stored normals' cdf from D's" . map
+    set logscale xy
+    set xrange [0.8:1300]
+    set yrange [1e-3:1]
+    set ylabel "Kolmogorov distance in U"
+    chance = sqrt(log(40.0) / 2.0) / SIZE_max
+    plot for [i = 1:words(formats)] data using (at(word(formats, i))):"kolmogorov" \
+            with linespoints linetype i pointsize 0.9 title name(word(formats, i)), \
+        chance with lines linestyle 90 title "chance, 95 %"
+}
+
+if (figure eq "width") {
+    set title "Width of the stored lobe" . map
+    set logscale xy
+    set xrange [0.8:1300]
+    set ylabel "median |delta| over that of D"
+    plot for [i = 1:words(formats)] data using (at(word(formats, i))):"width" \
+            with linespoints linetype i pointsize 0.9 title name(word(formats, i)), \
+        1 with lines linestyle 90 title "D itself"
+}
+
+if (figure eq "tilt") {
+    set title "How far storing turns the mean normal" . map
+    set logscale xy
+    set format y "10^{%L}"
+    set xrange [0.8:1300]
+    set yrange [1e-8:1e-2]
+    set ylabel "angle in radians"
+    # Floats are turned by less than the frame shows.
+    stored = formats[:strstrt(formats, "float") - 1]
+    plot for [i = 1:words(stored)] data using (aside(i, at(word(stored, i)))):"tilt_rad":(above_zero(column("tilt_rad_low"))):"tilt_rad_high" \
+            with yerrorlines linetype i pointsize 0.9 title name(word(stored, i)), \
+        data using (at("float")):"mean_tilt_rad" with lines linestyle 90 title "chance of the numbers"
+}
+
+if (figure eq "histogram") {
+    # Three panels share one key and are drawn from 64 points each.
+    rr_list = "1 30 1000"
+    chosen(r, format) = strcol("study") eq "distribution" && strcol("series") eq "delta_bins" \
+        && strstrt(strcol("parameters"), sprintf("rr=%s normal_bits=%s normal_size=%g ", r, format, SIZE_max)) > 0
+    set bmargin
+    unset key
+    set multiplot layout 3, 1 title "Observed over expected counts in 64 bins of equal probability" . map margins 0.1, 0.97, 0.17, 0.91 spacing 0.07
+    set xrange [0:64]
+    set xtics 8
+    set grid noxtics
+    chance = 1.96 * sqrt(64.0) / SIZE_max
+    do for [p = 1:3] {
+        r = word(rr_list, p)
+        set ylabel "R_r " . r
+        set xlabel (p == 3 ? "bin along delta, from −90° to 90°" : "")
+        if (p == 3) { set key at screen 0.5, 0.01 bottom center horizontal maxcols 3 }
+        set yrange [*:*]
+        stats raw using (chosen(r, "8") ? column("value") : NaN) name "RATIO" nooutput
+        if (!exists("RATIO_max")) { exit status 3 }
+        set yrange [0:(RATIO_max > 2 ? RATIO_max * 1.1 : 1.5)]
+        plot 1 + chance with lines linestyle 90 notitle, 1 - chance with lines linestyle 90 notitle, \
+            raw using (chosen(r, "8") ? column("index") + 0.5 : NaN):"value" with histeps linetype 2 dashtype 1 title "8 bits", \
+            raw using (chosen(r, "float") ? column("index") + 0.5 : NaN):"value" with histeps linetype 1 title "float"
+    }
+    unset multiplot
+}
+
+if (figure eq "generators") {
+    data = folder . "/generators.tsv"
+    set title "One point at a highlight's edge: bias and noise of N normals"
+    set logscale xy
+    set xlabel "N, microfacet normals a pixel"
+    set ylabel "bias and noise (full scale 1)"
+    stats data using "samples" name "N" nooutput
+    set xrange [0.8:1.5 * N_max]
+    set xtics (1, 4, 16, 64, 256)
+    set mxtics 1
+    set yrange [1e-4:1]
+    set format y "10^{%L}"
+    set key maxcols 3
+    here(generator, bits, metric) = strcol("generator") eq generator && strcol("normal_bits") eq bits && column(metric) > 0 ? column("samples") : NaN
+    arms = "lcg:float baked:8 baked:float hash:float"
+    titles = "'restarted generator' 'map, 8 bits' 'map, float' 'hash'"
+    generator(i) = word(arms, i)[:strstrt(word(arms, i), ":") - 1]
+    bits(i) = word(arms, i)[strstrt(word(arms, i), ":") + 1:]
+    plot for [i = 1:4] data using (aside(2 * i, here(generator(i), bits(i), "floor"))):"floor":(above_zero(column("floor_low"))):"floor_high" \
+            with yerrorbars linetype i dashtype 1 pointtype 2 * i + 3 pointsize 1.1 title "bias, " . word(titles, i), \
+        for [i = 2:4] data using (aside(2 * i, here(generator(i), bits(i), "noise"))):"noise" \
+            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 1.1 title "noise, " . word(titles, i), \
+        1.0 / 255.0 with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "pictures") {
+    chosen(g) = strcol("study") eq "distribution" && strcol("series") eq "picture" && strstrt(strcol("parameters"), "series=patch generator=" . g . " ") > 0
+    stats raw using (chosen("reference") ? column("index") : NaN) name "INDEX" nooutput
+    if (!exists("INDEX_max")) { exit status 3 }
+    width = int(sqrt(INDEX_max + 1))
+    set bmargin
+    unset key
+    set multiplot layout 2, 2 title "A highlight on a plane, 4 normals a pixel, R_r 30" margins 0.02, 0.86, 0.03, 0.86 spacing 0.04, 0.09
+    unset tics
+    unset grid
+    unset xlabel
+    set border 15
+    set size ratio -1
+    set palette gray
+    set cbrange [0:1]
+    set xrange [-0.5:width - 0.5]
+    set yrange [-0.5:width - 0.5]
+    generators = "reference lcg baked hash"
+    titles = "'the reference' 'generator restarted at every pixel' 'numbers baked into a map' 'hash of each pixel'"
+    do for [p = 1:4] {
+        if (p == 2) { set colorbox user origin 0.9, 0.15 size 0.02, 0.6; set cbtics 0.25 } else { unset colorbox }
+        set title word(titles, p)
+        plot raw using (chosen(word(generators, p)) ? int(column("index")) % width : NaN):(int(column("index")) / width):"value" with image
+    }
+    unset multiplot
+}

@@ -1,0 +1,334 @@
+/* The claims that the study `distribution` judges. */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "measure/goodness.h"
+#include "studies/distribution.h"
+
+enum { AXIS_MAX = 32 };
+
+static const double step_of_8_bits = 1.0 / 255.0;
+static const double cdf_bound = 0.01;
+
+struct view {
+    const struct rl_run *run;
+    struct rl_claims *claims;
+    struct rl_error *error;
+    double n_tests; /* chi-square tests of the run, of delta and of theta */
+    double rr[AXIS_MAX];
+    size_t n_rr; /* ascending */
+};
+
+static struct rl_claim *begin_claim(const struct view *v, const char *text)
+{
+    struct rl_claim *c = rl_claims_add(v->claims, v->error);
+    if (!c)
+        return NULL;
+    snprintf(c->text, sizeof c->text, "%s", text);
+    rl_claim_source(c, v->run, RL_NO_SCENE);
+    return c;
+}
+
+/* The different R_r of measured maps, and how many tests were made. */
+static void look(struct view *v)
+{
+    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, RL_NO_SCENE, "series=map"));) {
+        double rr = rl_parameter_number(r->parameters, "rr");
+        size_t at = 0;
+        v->n_tests += 2.0;
+        while (at < v->n_rr && v->rr[at] < rr)
+            at++;
+        if (isnan(rr) || (at < v->n_rr && v->rr[at] == rr) || v->n_rr == AXIS_MAX)
+            continue;
+        memmove(v->rr + at + 1, v->rr + at, (v->n_rr - at) * sizeof *v->rr);
+        v->rr[at] = rr;
+        v->n_rr++;
+    }
+}
+
+/* The largest map of a format at one R_r; NULL if none was measured. */
+static const struct rl_record *largest_map(const struct view *v, const char *bits, double rr)
+{
+    char pattern[96];
+    const struct rl_record *best = NULL;
+    snprintf(pattern, sizeof pattern, "series=map normal_bits=%s rr=%g", bits, rr);
+    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, RL_NO_SCENE, pattern));)
+        if (!best || rl_parameter_number(r->parameters, "normal_size") >
+                         rl_parameter_number(best->parameters, "normal_size"))
+            best = r;
+    return best;
+}
+
+/* The smaller p of a map's two tests, 1 if there is none. */
+static double smaller_p(const struct rl_record *r)
+{
+    const struct rl_metric *delta = rl_record_metric(r, "p_delta"), *theta = rl_record_metric(r, "p_theta");
+    return delta && theta ? fmin(delta->value, theta->value) : 1.0;
+}
+
+/* "; R_r 3: 0.031" */
+static void append(char *note, size_t size, double rr, double value)
+{
+    size_t used = strlen(note);
+    snprintf(note + used, size - used, "%sR_r %g: %.2g", used ? "; " : "", rr, value);
+}
+
+/* Along R_r from rough to smooth: where the claim holds without a gap from the rough end, its reach is the smoothest such R_r. */
+static void judge_along_rr(struct rl_claim *c, const struct view *v, const enum rl_verdict *verdict)
+{
+    size_t n = v->n_rr, holding = 0, failing = 0;
+    while (holding < n && verdict[holding] == RL_VERDICT_HOLDS)
+        holding++;
+    for (size_t i = 0; i < n; i++)
+        failing += verdict[i] == RL_VERDICT_FAILS;
+    if (n > 0 && holding == n) {
+        c->verdict = RL_VERDICT_HOLDS;
+    } else if (holding > 0 && failing > 0) {
+        c->verdict = RL_VERDICT_HOLDS_UP_TO;
+        rl_claim_value(c, v->rr[holding - 1], v->rr[holding - 1], v->rr[holding - 1], "R_r and rougher");
+    } else if (failing == n && n > 0) {
+        c->verdict = RL_VERDICT_FAILS;
+    }
+}
+
+/* The inverse cdf: no test of any float map fails, and no cdf is far. The number is the farthest of the largest maps. */
+static int claim_inverse(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "paper: normals by the inverse cdf follow D at every R_r (float maps: chi-square of "
+                       "delta and theta pass; the cdf is within 0.01)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double smallest = 1.0;
+    for (const struct rl_record *r = NULL;
+         (r = rl_run_next(v->run, r, RL_NO_SCENE, "series=map normal_bits=float"));)
+        smallest = fmin(smallest, smaller_p(r));
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, "float", v->rr[i]);
+        const struct rl_metric *k = r ? rl_record_metric(r, "kolmogorov") : NULL;
+        if (k && !(k->high <= c->high))
+            rl_claim_value(c, k->value, k->low, k->high, "of U");
+    }
+    snprintf(c->note, sizeof c->note, "smallest p %.2g, %.2g by Sidak over the run's %g tests", smallest,
+             rl_sidak_p(smallest, v->n_tests), v->n_tests);
+    c->verdict = rl_verdict_at_most(c->low, c->high, cdf_bound);
+    if (smallest < rl_sidak_level(RL_DISTRIBUTION_LEVEL, v->n_tests))
+        c->verdict = RL_VERDICT_FAILS;
+    return RL_OK;
+}
+
+/* How far stored normals still follow D: by the cdf's distance. */
+static int claim_cdf(const struct view *v, const char *bits, const char *text)
+{
+    struct rl_claim *c = begin_claim(v, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, bits, v->rr[i]);
+        const struct rl_metric *k = r ? rl_record_metric(r, "kolmogorov") : NULL;
+        if (!k)
+            continue;
+        verdict[i] = rl_verdict_at_most(k->low, k->high, cdf_bound);
+        append(c->note, sizeof c->note, v->rr[i], k->value);
+        if (!(k->value <= c->value))
+            rl_claim_value(c, k->value, k->low, k->high, "of U");
+    }
+    judge_along_rr(c, v, verdict);
+    return RL_OK;
+}
+
+/* By chi-square, which sees levels however fine if there are texels enough. The number is the last R_r that passes. */
+static int claim_chi_square(const struct view *v, const char *bits, const char *text)
+{
+    struct rl_claim *c = begin_claim(v, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    double level = rl_sidak_level(RL_DISTRIBUTION_LEVEL, v->n_tests);
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, bits, v->rr[i]);
+        if (!r)
+            continue;
+        double p = smaller_p(r), corrected = rl_sidak_p(p, v->n_tests);
+        verdict[i] = p >= level ? RL_VERDICT_HOLDS : RL_VERDICT_FAILS;
+        append(c->note, sizeof c->note, v->rr[i], corrected);
+        if (!(corrected >= c->value))
+            rl_claim_value(c, corrected, corrected, corrected, "smallest p, Sidak");
+    }
+    judge_along_rr(c, v, verdict);
+    return RL_OK;
+}
+
+/* How far the mean normal is turned by storing: of an 8-bit map in its own steps, of half floats in widths of the lobe, which is
+ * where it shows. */
+static int claim_tilt_8(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "ours: 8 bits do not tilt the mean normal: at every R_r by less than a tenth of a "
+                       "step of 2/255, zero having no level of its own");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    size_t with_zero = 0;
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, "8", v->rr[i]);
+        const struct rl_metric *t = r ? rl_record_metric(r, "tilt") : NULL;
+        if (!t)
+            continue;
+        with_zero += t->low <= 0.0;
+        if (!(t->high <= c->high))
+            rl_claim_value(c, t->value, t->low, t->high, "rad");
+    }
+    snprintf(c->note, sizeof c->note, "the largest of %zu R_r, of which %zu have zero in the interval",
+             v->n_rr, with_zero);
+    c->verdict = rl_verdict_at_most(c->low, c->high, 0.1 * 2.0 * step_of_8_bits);
+    return RL_OK;
+}
+
+static int claim_tilt_half(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "ours: half floats, whose steps are finer on one side of N than on the other, tilt "
+                       "the mean normal by less than 1 % of the lobe's median delta");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, "half", v->rr[i]);
+        const struct rl_metric *t = r ? rl_record_metric(r, "tilt") : NULL;
+        if (!t)
+            continue;
+        struct rl_ellipsoid e = rl_ellipsoid_make(v->rr[i]);
+        double width = rl_ellipsoid_inverse(&e, 0.75).delta;
+        verdict[i] = rl_verdict_at_most(t->low / width, t->high / width, 0.01);
+        append(c->note, sizeof c->note, v->rr[i], t->value / width);
+        if (!(t->value / width <= c->value))
+            rl_claim_value(c, t->value / width, t->low / width, t->high / width, "of the median");
+    }
+    judge_along_rr(c, v, verdict);
+    return RL_OK;
+}
+
+static int claim_width(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "ours: the lobe that an 8-bit map holds is as wide as D's (median delta, to within "
+                       "10 %)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, "8", v->rr[i]);
+        const struct rl_metric *w = r ? rl_record_metric(r, "width") : NULL;
+        if (!w)
+            continue;
+        verdict[i] = rl_verdict_equals(w->low, w->high, 1.0, 0.1);
+        append(c->note, sizeof c->note, v->rr[i], w->value);
+        if (!(fabs(w->value - 1.0) <= fabs(c->value - 1.0)))
+            rl_claim_value(c, w->value, w->low, w->high, "times");
+    }
+    judge_along_rr(c, v, verdict);
+    return RL_OK;
+}
+
+/* At the paper's N = 4. */
+static const struct rl_record *point(const struct view *v, const char *generator, const char *bits)
+{
+    char pattern[96];
+    snprintf(pattern, sizeof pattern, "series=point generator=%s normal_bits=%s samples=4", generator, bits);
+    return rl_run_find(v->run, RL_NO_SCENE, pattern);
+}
+
+static const struct rl_metric *at_point(const struct view *v, const char *generator, const char *bits,
+                                        const char *metric)
+{
+    const struct rl_record *r = point(v, generator, bits);
+    return r ? rl_record_metric(r, metric) : NULL;
+}
+
+static int claim_restarted(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "paper: a linear congruential generator restarted at every pixel has bias in place "
+                       "of noise (share of the squared error, at least 0.9, N = 4)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *share = at_point(v, "lcg", "float", "bias_share"),
+                           *bias = at_point(v, "lcg", "float", "floor"),
+                           *noise = at_point(v, "lcg", "float", "noise"),
+                           *hash = at_point(v, "hash", "float", "noise");
+    if (!share || !bias || !noise || !hash)
+        return RL_OK;
+    rl_claim_value(c, share->value, share->low, share->high, "share of MSE");
+    snprintf(c->note, sizeof c->note,
+             "bias %.3g (root mean square over seeds), noise %.3g; a hash of each pixel has noise %.3g",
+             bias->value, noise->value, hash->value);
+    c->verdict = rl_verdict_at_least(c->low, c->high, 0.9);
+    return RL_OK;
+}
+
+static int claim_baked(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "paper: random numbers baked into a map serve: no bias (mean error of 4 normals to "
+                       "within 1/255, float map)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *b = at_point(v, "baked", "float", "bias"),
+                           *eight = at_point(v, "baked", "8", "bias");
+    if (!b || !eight)
+        return RL_OK;
+    rl_claim_value(c, b->value, b->low, b->high, "1");
+    snprintf(c->note, sizeof c->note, "from an 8-bit map %.2g, %.2g to %.2g", eight->value, eight->low,
+             eight->high);
+    c->verdict = rl_verdict_equals(c->low, c->high, 0.0, step_of_8_bits);
+    return RL_OK;
+}
+
+static int claim_hash(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "ours: normals from a map are as noisy as those of a hash of each pixel (ratio of "
+                       "noise, to within 5 %, N = 4)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *a = at_point(v, "baked", "float", "noise"),
+                           *b = at_point(v, "hash", "float", "noise");
+    if (!a || !b || !(b->low > 0.0))
+        return RL_OK;
+    rl_claim_value(c, a->value / b->value, a->low / b->high, a->high / b->low, "times");
+    c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.05);
+    return RL_OK;
+}
+
+int rl_distribution_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    struct view v = {.run = run, .claims = claims, .error = error};
+    look(&v);
+    int status = claim_inverse(&v);
+    if (status == RL_OK)
+        status =
+            claim_cdf(&v, "8",
+                      "paper: 8 bits make almost no difference: the cdf of an 8-bit map's normals is within "
+                      "0.01 of D's");
+    if (status == RL_OK)
+        status =
+            claim_cdf(&v, "16", "ours: 16 bits do: the cdf of a 16-bit map's normals is within 0.01 of D's");
+    if (status == RL_OK)
+        status = claim_chi_square(
+            &v, "8",
+            "ours: an 8-bit map's normals pass chi-square of delta and theta, at 1 % over all "
+            "tests");
+    if (status == RL_OK)
+        status =
+            claim_chi_square(&v, "16",
+                             "ours: a 16-bit map's normals pass chi-square of delta and theta, at 1 % over "
+                             "all tests");
+    int (*const claim[])(const struct view *) = {claim_tilt_8,    claim_tilt_half, claim_width,
+                                                 claim_restarted, claim_baked,     claim_hash};
+    for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
+        status = claim[k](&v);
+    return status;
+}

@@ -1,0 +1,302 @@
+/* The study `distribution`: verdicts follow from figures of a made-up run; what is measured obeys what is known of it. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "studies/study.h"
+#include "support/check.h"
+
+static const struct rl_place place = {"distribution", RL_NO_SCENE, "", 0};
+
+/* Figures of maps grow with R_r: `reach` is the R_r at which 8 bits and halves are off by about as much as the claims allow. */
+struct world {
+    double p_float;             /* the smallest of the float maps' */
+    double far_float, far_16;   /* Kolmogorov distances */
+    double reach_8, reach_half; /* above it distance and width (8), tilt (half) are far, below near */
+    double tilt_8;
+    double share, bias, noise; /* restarted generator's share, baked map's bias and noise over the hash's */
+    double spread;             /* half width of intervals */
+};
+
+static const struct world usual = {.p_float = 0.3,
+                                   .far_float = 0.002,
+                                   .far_16 = 0.003,
+                                   .reach_8 = 10.0,
+                                   .reach_half = 300.0,
+                                   .tilt_8 = 1e-5,
+                                   .share = 1.0,
+                                   .bias = 0.0005,
+                                   .noise = 1.0,
+                                   .spread = 0.002};
+
+static void metric(struct rl_record *r, const char *name, double value, double spread)
+{
+    assert_int_equal(rl_record_metric_add(r, name, value, value - spread, value + spread, "1", NULL), RL_OK);
+    r->status = RL_RECORD_OK;
+}
+
+static void add_map(struct rl_run *run, const struct world *w, double rr, const char *bits)
+{
+    struct rl_record *r =
+        rl_run_add(run, &place, 0, NULL, "series=map rr=%g normal_bits=%s normal_size=512", rr, bits);
+    struct rl_ellipsoid e = rl_ellipsoid_make(rr);
+    bool float_map = strcmp(bits, "float") == 0, eight = strcmp(bits, "8") == 0;
+    bool near_8 = rr <= w->reach_8;
+    metric(r, "p_delta", float_map ? w->p_float : eight && !near_8 ? 0.0 : 0.5, 0.0);
+    metric(r, "p_theta", 0.5, 0.0);
+    metric(r, "kolmogorov", float_map ? w->far_float : eight ? (near_8 ? 0.005 : 0.1) : w->far_16, w->spread);
+    metric(r, "width", eight && !near_8 ? 1.5 : 1.0, w->spread);
+    double median = rl_ellipsoid_inverse(&e, 0.75).delta;
+    metric(r, "tilt", eight ? w->tilt_8 : (rr <= w->reach_half ? 0.001 : 0.02) * median, 1e-9);
+}
+
+static void add_point(struct rl_run *run, const char *generator, const char *bits, double bias, double share,
+                      double noise, double spread)
+{
+    struct rl_record *r = rl_run_add(run, &place, 1, NULL,
+                                     "series=point generator=%s normal_bits=%s samples=4", generator, bits);
+    metric(r, "bias", bias, spread);
+    metric(r, "floor", fabs(bias), 0.0);
+    metric(r, "bias_share", share, 0.0);
+    metric(r, "noise", noise, spread);
+}
+
+static void make(struct rl_run *run, const struct world *w)
+{
+    static const double rr[] = {1.0, 10.0, 300.0, 1000.0};
+    static const char *const bits[] = {"8", "16", "half", "float"};
+    *run = (struct rl_run){.study = "distribution", .grid = "default"};
+    for (size_t i = 0; i < 4; i++)
+        for (size_t b = 0; b < 4; b++)
+            add_map(run, w, rr[i], bits[b]);
+    add_point(run, "lcg", "float", 0.2, w->share, 0.2 * (1.0 - w->share), 0.0);
+    add_point(run, "baked", "float", w->bias, 0.0, 0.24 * w->noise, w->spread);
+    add_point(run, "baked", "8", w->bias, 0.0, 0.24 * w->noise, w->spread);
+    add_point(run, "hash", "float", 0.0, 0.0, 0.24, w->spread);
+}
+
+static struct rl_claim judge(struct world w, const char *words)
+{
+    struct rl_run run;
+    struct rl_claims claims = {0};
+    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
+    make(&run, &w);
+    assert_int_equal(rl_study_find("distribution")->judge(&claims, &run, NULL), RL_OK);
+    for (size_t i = 0; i < claims.n; i++)
+        if (strstr(claims.claim[i].text, words))
+            found = claims.claim[i];
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+    if ((int)found.verdict < 0)
+        fail_msg("no claim says '%s'", words);
+    return found;
+}
+
+static void verdicts_flip(void **state)
+{
+    (void)state;
+    /* One field of the usual world changed, and the verdict that must follow. */
+    static const char inverse[] = "normals by the inverse cdf", cdf_8[] = "the cdf of an 8-bit",
+                      cdf_16[] = "the cdf of a 16-bit", chi_8[] = "an 8-bit map's normals pass",
+                      tilt_8[] = "8 bits do not tilt", tilt_half[] = "half floats",
+                      width[] = "the lobe that an 8-bit map holds", restarted[] = "restarted at every pixel",
+                      baked[] = "baked into a map serve", hash[] = "as noisy as those of a hash";
+    static const struct {
+        const char *words;
+        size_t field;
+        double value;
+        enum rl_verdict verdict;
+    } rows[] = {
+        {inverse, offsetof(struct world, p_float), 0.3, RL_VERDICT_HOLDS},
+        {inverse, offsetof(struct world, p_float), 1e-4, RL_VERDICT_FAILS}, /* of 32 tests: 0.01/32 = 3e-4 */
+        {inverse, offsetof(struct world, p_float), 1e-3, RL_VERDICT_HOLDS},
+        {inverse, offsetof(struct world, far_float), 0.02, RL_VERDICT_FAILS},
+        {inverse, offsetof(struct world, far_float), 0.009, RL_VERDICT_INCONCLUSIVE},
+        {cdf_8, offsetof(struct world, reach_8), 10.0, RL_VERDICT_HOLDS_UP_TO},
+        {cdf_8, offsetof(struct world, reach_8), 1e4, RL_VERDICT_HOLDS},
+        {cdf_8, offsetof(struct world, reach_8), 0.5, RL_VERDICT_FAILS},
+        {cdf_16, offsetof(struct world, far_16), 0.003, RL_VERDICT_HOLDS},
+        {cdf_16, offsetof(struct world, far_16), 0.02, RL_VERDICT_FAILS},
+        {cdf_16, offsetof(struct world, far_16), 0.01, RL_VERDICT_INCONCLUSIVE},
+        {chi_8, offsetof(struct world, reach_8), 10.0, RL_VERDICT_HOLDS_UP_TO},
+        {chi_8, offsetof(struct world, reach_8), 0.5, RL_VERDICT_FAILS},
+        {tilt_8, offsetof(struct world, tilt_8), 1e-5, RL_VERDICT_HOLDS},
+        {tilt_8, offsetof(struct world, tilt_8), 1e-3, RL_VERDICT_FAILS},
+        {tilt_half, offsetof(struct world, reach_half), 300.0, RL_VERDICT_HOLDS_UP_TO},
+        {tilt_half, offsetof(struct world, reach_half), 1e4, RL_VERDICT_HOLDS},
+        {width, offsetof(struct world, reach_8), 10.0, RL_VERDICT_HOLDS_UP_TO},
+        {width, offsetof(struct world, reach_8), 0.5, RL_VERDICT_FAILS},
+        {restarted, offsetof(struct world, share), 1.0, RL_VERDICT_HOLDS},
+        {restarted, offsetof(struct world, share), 0.5, RL_VERDICT_FAILS},
+        {baked, offsetof(struct world, bias), 0.0005, RL_VERDICT_HOLDS},
+        {baked, offsetof(struct world, bias), 0.01, RL_VERDICT_FAILS},
+        {baked, offsetof(struct world, bias), 0.003, RL_VERDICT_INCONCLUSIVE},
+        {hash, offsetof(struct world, noise), 1.0, RL_VERDICT_HOLDS},
+        {hash, offsetof(struct world, noise), 1.2, RL_VERDICT_FAILS},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct world w = usual;
+        memcpy((char *)&w + rows[i].field, &rows[i].value, sizeof rows[i].value);
+        struct rl_claim c = judge(w, rows[i].words);
+        if (c.verdict != rows[i].verdict)
+            fail_msg("'%s' at %g: %s, expected %s", rows[i].words, rows[i].value, rl_verdict_name(c.verdict),
+                     rl_verdict_name(rows[i].verdict));
+        assert_string_equal(c.command, "roughlight study run distribution");
+    }
+    check_near(judge(usual, cdf_8).value, 10.0, 0.0);
+    check_near(judge(usual, tilt_half).value, 300.0, 0.0);
+    check_near(judge(usual, baked).value, 0.0005, 1e-15);
+}
+
+/* Nothing measured: no verdict is made up. */
+static void nothing_measured(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    struct rl_claims claims = {0};
+    make(&run, &usual);
+    for (size_t i = 0; i < run.n_records; i++)
+        run.record[i].status = RL_RECORD_FAILED;
+    assert_int_equal(rl_study_find("distribution")->judge(&claims, &run, NULL), RL_OK);
+    assert_int_equal(claims.n, 11);
+    for (size_t i = 0; i < claims.n; i++)
+        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+}
+
+static const struct rl_record *measured(const struct rl_run *run, const char *pattern)
+{
+    const struct rl_record *r = rl_run_find(run, RL_NO_SCENE, pattern);
+    if (!r)
+        fail_msg("nothing was measured for '%s'", pattern);
+    return r;
+}
+
+static struct rl_metric figure(const struct rl_run *run, const char *pattern, const char *name)
+{
+    const struct rl_metric *m = rl_record_metric(measured(run, pattern), name);
+    assert_non_null(m);
+    assert_true(m->low <= m->value && m->value <= m->high);
+    return *m;
+}
+
+/* All groups of the quick grid, as the runner would. */
+static void measure_all(struct rl_run *run)
+{
+    const struct rl_study *study = rl_study_find("distribution");
+    struct rl_bench bench;
+    struct rl_error error;
+    *run = (struct rl_run){.study = "distribution", .grid = "quick"};
+    check_ok(rl_bench_open(&bench, "auto", 0, "", NULL, &error), &error);
+    check_ok(study->plan_alone(run, &place, RL_GRID_QUICK, 0, &error), &error);
+    for (size_t first = 0, end; first < run->n_records; first = end) {
+        for (end = first; end < run->n_records && run->record[end].group == run->record[first].group;)
+            run->record[end++].status = RL_RECORD_OK;
+        check_ok(study->measure(&run->record[first], end - first, &bench, NULL, &error), &error);
+    }
+    rl_bench_close(&bench);
+}
+
+static void what_is_known_is_measured(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    measure_all(&run);
+    /* Float maps follow D. */
+    static const char *const smooth[] = {"series=map normal_bits=float rr=1",
+                                         "series=map normal_bits=float rr=30",
+                                         "series=map normal_bits=float rr=1000"};
+    for (size_t i = 0; i < 3; i++) {
+        assert_true(figure(&run, smooth[i], "p_delta").value > 1e-4);
+        assert_true(figure(&run, smooth[i], "p_theta").value > 1e-4);
+        check_near(figure(&run, smooth[i], "mean_u").value, 0.5, 4.0 * sqrt(1.0 / 12.0) / 128.0);
+        check_near(figure(&run, smooth[i], "width").value, 1.0, 0.05);
+        assert_true(figure(&run, smooth[i], "tilt").value < 1e-8);
+    }
+    /* 8 bits at R_r = 1000: nearly all normals are the four with tangential parts +-1/255, at |delta| = sqrt(2)/255, which is
+     * 5.5 times the median of D, tan(atan(k)/2)/k; only delta's outer sixteenth moves. */
+    static const char eight[] = "series=map normal_bits=8 rr=1000";
+    check_near(figure(&run, eight, "width").value, sqrt(2.0) / 255.0 / (tan(atan(1000.0) / 2.0) / 1000.0),
+               0.02);
+    check_near(figure(&run, eight, "kolmogorov").value, 0.45, 0.02);
+    assert_true(figure(&run, eight, "p_delta").value < 1e-100);
+    rl_run_clear(&run);
+}
+
+/* G is 1 about the mirror direction and the light has radiance 1: a sample is 1 with probability L_o, else 0. */
+static void generators_as_expected(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    measure_all(&run);
+    double truth = figure(&run, "series=point generator=hash samples=4", "truth").value;
+    double variance = truth * (1.0 - truth) / 4.0;
+    struct rl_metric hash = figure(&run, "series=point generator=hash samples=4", "variance");
+    struct rl_metric baked =
+        figure(&run, "series=point generator=baked normal_bits=float samples=4", "variance");
+    check_relative(hash.value, variance, 0.05);
+    check_relative(baked.value, variance, 0.05);
+    check_near(figure(&run, "series=point generator=hash samples=4", "bias").value, 0.0, 0.01);
+    check_near(figure(&run, "series=point generator=baked normal_bits=float samples=16", "bias").value, 0.0,
+               0.01);
+    /* Restarted: one value at every pixel, another for every seed. */
+    assert_true(figure(&run, "series=point generator=lcg samples=4", "variance").value == 0.0);
+    assert_true(figure(&run, "series=point generator=lcg samples=4", "bias_share").value == 1.0);
+    assert_true(figure(&run, "series=point generator=lcg samples=1", "floor").value > 0.3);
+    assert_true(figure(&run, "series=point generator=hash samples=4", "bias_share").value < 0.01);
+    /* Of the pictures, the restarted one has at most the five values that four normals can make; the others are near the truth. */
+    const struct rl_series *picture =
+        rl_record_series(measured(&run, "series=patch generator=reference"), "picture");
+    const struct rl_series *noisy =
+        rl_record_series(measured(&run, "series=patch generator=baked"), "picture");
+    assert_non_null(picture);
+    assert_non_null(noisy);
+    double sum = 0.0;
+    for (size_t i = 0; i < picture->n; i++)
+        sum += (noisy->value[i] - picture->value[i]) / (double)picture->n;
+    check_near(sum, 0.0, 0.015); /* 3 standard deviations: 0.24/sqrt(2304) */
+    rl_run_clear(&run);
+}
+
+static void every_grid_has_what_claims_need(void **state)
+{
+    (void)state;
+    for (int grid = RL_GRID_QUICK; grid <= RL_GRID_FULL; grid++) {
+        struct rl_run run = {.study = "distribution"};
+        assert_int_equal(rl_study_find("distribution")->plan_alone(&run, &place, (enum rl_grid)grid, 0, NULL),
+                         RL_OK);
+        rl_run_identify(&run, "env");
+        for (size_t i = 0; i < run.n_records; i++) {
+            run.record[i].status = RL_RECORD_OK;
+            for (size_t k = 0; k < i; k++)
+                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
+        }
+        static const char *const needed[] = {
+            "series=map normal_bits=8 rr=1",        "series=map normal_bits=16 rr=30",
+            "series=map normal_bits=half rr=1000",  "series=map normal_bits=float rr=1000",
+            "series=point generator=lcg samples=4", "series=point generator=hash samples=4",
+            "series=patch generator=reference"};
+        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
+            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        rl_run_clear(&run);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(verdicts_flip),
+        cmocka_unit_test(nothing_measured),
+        cmocka_unit_test(what_is_known_is_measured),
+        cmocka_unit_test(generators_as_expected),
+        cmocka_unit_test(every_grid_has_what_claims_need),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
