@@ -1,0 +1,176 @@
+/* The claims that the study `frame` judges. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "studies/frame.h"
+
+static const double step_of_8_bits = 1.0 / 255.0;
+static const double central_rr =
+    30.0; /* where single figures are taken: the highlight shows the light's shape */
+
+struct view {
+    const struct rl_run *run;
+    const char *scene;
+    struct rl_claims *claims;
+    struct rl_error *error;
+};
+
+/* Of a scene, its name is part of the claim. */
+static struct rl_claim *begin_claim(const struct view *v, const char *text)
+{
+    struct rl_claim *c = rl_claims_add(v->claims, v->error);
+    if (!c)
+        return NULL;
+    if (strcmp(v->scene, RL_NO_SCENE) == 0)
+        snprintf(c->text, sizeof c->text, "%.250s", text);
+    else
+        snprintf(c->text, sizeof c->text, "%.200s (%.40s)", text, v->scene);
+    rl_claim_source(c, v->run, v->scene);
+    return c;
+}
+
+/* "; R_r 3: 0.031" */
+static void append(char *note, size_t size, const char *what, double value)
+{
+    size_t used = strlen(note);
+    snprintf(note + used, size - used, "%s%s: %.3g", used ? "; " : "", what, value);
+}
+
+/* A metric of the series at every R_r goes into the note, that at the central R_r is the claim's number. */
+static const struct rl_metric *over_rr(struct rl_claim *c, const struct view *v, const char *series,
+                                       const char *metric, const char *unit)
+{
+    const struct rl_metric *central = NULL;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, series));) {
+        const struct rl_metric *m = rl_record_metric(r, metric);
+        double rr = rl_parameter_number(r->parameters, "rr");
+        char what[32];
+        if (!m)
+            continue;
+        snprintf(what, sizeof what, "R_r %g", rr);
+        append(c->note, sizeof c->note, what, m->value);
+        if (rr != central_rr)
+            continue;
+        central = m;
+        rl_claim_value(c, m->value, m->low, m->high, unit);
+    }
+    return central;
+}
+
+static int claim_rotation(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "paper: the printed frame is a rotation: lobes are as wide at every normal (mean "
+                       "width over the sphere, 1 to within 1 %)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    if (over_rr(c, v, "series=lobe", "width", "times"))
+        c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.01);
+    return RL_OK;
+}
+
+/* The R_r farthest from the formula speaks for all. */
+static int claim_formula(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "ours: it narrows the lobe as tan(delta') = l tan(delta), l = sqrt(n_y^2 + n_z^2) "
+                       "(measured over expected width, 1 to within 1 %)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    over_rr(c, v, "series=lobe", "against_formula", "times");
+    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, "series=lobe"));) {
+        const struct rl_metric *m = rl_record_metric(r, "against_formula");
+        if (m && !(fabs(m->value - 1.0) <= fabs(c->value - 1.0)))
+            rl_claim_value(c, m->value, m->low, m->high, "times");
+    }
+    c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.01);
+    return RL_OK;
+}
+
+static int claim_half(const struct view *v)
+{
+    struct rl_claim *c =
+        begin_claim(v, "paper: the printed frame serves: on no more than 1 % of the sphere has a lobe less "
+                       "than half its width");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    if (!over_rr(c, v, "series=lobe", "half", "of the sphere"))
+        return RL_OK;
+    append(c->note, sizeof c->note, "of small angles, by the formula", 1.0 - sqrt(0.75));
+    c->verdict = rl_verdict_at_most(c->low, c->high, 0.01);
+    return RL_OK;
+}
+
+/* A claim about every place of the light at the central R_r: the worst is its number. */
+static int claim_light(const struct view *v, const char *text, const char *metric, double bound)
+{
+    struct rl_claim *c = begin_claim(v, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "series=light rr=%g", central_rr);
+    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, pattern));) {
+        const struct rl_metric *m = rl_record_metric(r, metric);
+        char what[RL_NAME_MAX];
+        if (!m || !rl_parameter(r->parameters, "place", what, sizeof what))
+            continue;
+        append(c->note, sizeof c->note, what, m->value);
+        if (!(m->value <= c->value))
+            rl_claim_value(c, m->value, m->low, m->high, "of full scale");
+    }
+    c->verdict = rl_verdict_at_most(c->low, c->high, bound);
+    return RL_OK;
+}
+
+static int claim_scene(const struct view *v)
+{
+    static const struct {
+        const char *text, *metric, *unit;
+    } row[] = {
+        {"paper: the printed frame serves: it moves the whole picture at R_r 30 by at most 1/255 (RMSE)",
+         "rmse", "RMSE"},
+        {"paper: the printed frame serves: it moves no pixel of the picture at R_r 30 by more than 1/255",
+         "max", "of full scale"},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        struct rl_claim *c = begin_claim(v, row[k].text);
+        if (!c)
+            return RL_ERR_SYSTEM;
+        if (over_rr(c, v, "series=scene", row[k].metric, row[k].unit))
+            c->verdict = rl_verdict_at_most(c->low, c->high, step_of_8_bits);
+    }
+    return RL_OK;
+}
+
+static int judge_alone(const struct view *v)
+{
+    int (*const claim[])(const struct view *) = {claim_rotation, claim_formula, claim_half};
+    int status = RL_OK;
+    for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
+        status = claim[k](v);
+    if (status == RL_OK)
+        status = claim_light(
+            v,
+            "paper: the printed frame serves: it moves a highlight of R_r 30 by at most 1/255 (RMS over the "
+            "sphere, worst place of the light)",
+            "rms", step_of_8_bits);
+    if (status == RL_OK)
+        status = claim_light(
+            v,
+            "ours: in an orthonormal frame a highlight that turns with the normal is the same everywhere (to "
+            "within 1e-5, R_r 30)",
+            "spread", 1e-5);
+    return status;
+}
+
+int rl_frame_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    int status = RL_OK;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        const struct view v = {run, scene, claims, error};
+        status = strcmp(scene, RL_NO_SCENE) == 0 ? judge_alone(&v) : claim_scene(&v);
+    }
+    return status;
+}
