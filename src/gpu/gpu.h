@@ -15,6 +15,7 @@
 #define RL_GPU_GPU_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "base/error.h"
 #include "image/image.h"
@@ -62,6 +63,10 @@ int rl_gpu_normal_map_read(float **texels, struct rl_gpu *gpu, const struct rl_p
 int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
 /* Draws every environment map again, waits; for lights or objects that move. */
 int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
+
+/* Bakes the normal maps again from another seed than the plan has: the next frame is that of a scene
+ * made with this seed, at a fraction of the cost. Nothing to do where no method uses one. */
+int rl_gpu_scene_reseed(struct rl_gpu_scene *gs, uint64_t seed, struct rl_error *error);
 
 /* The last frame as R, G, B, A float. Allocates `image`. */
 int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);

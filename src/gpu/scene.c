@@ -46,17 +46,35 @@ static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
     return RL_OK;
 }
 
+static int make_normal_maps(struct rl_gpu_scene *gs, const struct rl_settings *settings,
+                            struct rl_error *error)
+{
+    const struct rl_plan *plan = gs->plan;
+    struct rl_gl *gl = &gs->gpu->gl;
+    int status = RL_OK;
+    for (size_t i = 0; i < plan->n_normal_maps && status == RL_OK; i++) {
+        status = rl_normal_map_make(&gs->normal_map[i], gl, &plan->normal_map[i], settings,
+                                    &gs->counters.bytes_uploaded, error);
+        gs->counters.textures++;
+    }
+    return status;
+}
+
+int rl_gpu_scene_reseed(struct rl_gpu_scene *gs, uint64_t seed, struct rl_error *error)
+{
+    struct rl_settings settings = gs->plan->settings;
+    settings.seed = seed;
+    gs->gpu->gl.DeleteTextures((GLsizei)gs->plan->n_normal_maps, gs->normal_map);
+    memset(gs->normal_map, 0, gs->plan->n_normal_maps * sizeof *gs->normal_map);
+    return make_normal_maps(gs, &settings, error);
+}
+
 static int make_tables(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     const struct rl_plan *plan = gs->plan;
     struct rl_gl *gl = &gs->gpu->gl;
     size_t *bytes = &gs->counters.bytes_uploaded;
-    int status = RL_OK;
-    for (size_t i = 0; i < plan->n_normal_maps && status == RL_OK; i++) {
-        status =
-            rl_normal_map_make(&gs->normal_map[i], gl, &plan->normal_map[i], &plan->settings, bytes, error);
-        gs->counters.textures++;
-    }
+    int status = make_normal_maps(gs, &plan->settings, error);
     for (size_t i = 0; i < plan->n_patterns && status == RL_OK; i++)
         status = rl_pattern_make(&gs->pattern[i], gl, &plan->pattern[i], bytes, error);
     return status;

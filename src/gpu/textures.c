@@ -81,15 +81,41 @@ static unsigned quantize(double v, unsigned levels)
     return (unsigned)lround((v + 1.0) / 2.0 * levels);
 }
 
+/* In steps of those bits, as a texel of 16 holds them: within half a step of its own. */
+static unsigned quantize_16(double v, int bits)
+{
+    unsigned levels = (1u << bits) - 1;
+    return (unsigned)lround((double)quantize(v, levels) * UINT16_MAX / levels);
+}
+
 /* Halves are rounded here, so that it does not matter how OpenGL does it. */
+static float float_texel(double v, bool half)
+{
+    double stored = (v + 1.0) / 2.0;
+    return (float)(half ? nearest_small_float(stored, HALF_MANTISSA) : stored);
+}
+
+double rl_normal_component(int bits, double v)
+{
+    switch (bits) {
+    case RL_NORMAL_BITS_HALF:
+    case RL_NORMAL_BITS_FLOAT:
+        return 2.0 * (double)float_texel(v, bits == RL_NORMAL_BITS_HALF) - 1.0;
+    case 8:
+        return 2.0 * quantize(v, 255) / 255.0 - 1.0;
+    case 10:
+        return 2.0 * quantize(v, 1023) / 1023.0 - 1.0;
+    default:
+        return 2.0 * quantize_16(v, bits) / UINT16_MAX - 1.0;
+    }
+}
+
 static void store_float(void *data, size_t i, struct rl_microfacet h, bool half)
 {
     const double v[3] = {h.x, h.y, h.z};
     float *to = (float *)data + 4 * i;
-    for (int c = 0; c < 3; c++) {
-        double stored = (v[c] + 1.0) / 2.0;
-        to[c] = (float)(half ? nearest_small_float(stored, HALF_MANTISSA) : stored);
-    }
+    for (int c = 0; c < 3; c++)
+        to[c] = float_texel(v[c], half);
     to[3] = 1.0f;
 }
 
@@ -108,14 +134,13 @@ static void store_10(void *data, size_t i, struct rl_microfacet h)
     *to = quantize(h.x, 1023) | quantize(h.y, 1023) << 10 | quantize(h.z, 1023) << 20 | 3u << 30;
 }
 
-/* Any other number of bits in a texel of 16, within half a step of those 16. */
+/* Any other number of bits. */
 static void store_16(void *data, size_t i, struct rl_microfacet h, int bits)
 {
     uint16_t *to = (uint16_t *)data + 4 * i;
-    unsigned levels = (1u << bits) - 1;
-    const double v[3] = {h.x, h.y, h.z};
-    for (int c = 0; c < 3; c++)
-        to[c] = (uint16_t)lround((double)quantize(v[c], levels) * 65535.0 / levels);
+    to[0] = (uint16_t)quantize_16(h.x, bits);
+    to[1] = (uint16_t)quantize_16(h.y, bits);
+    to[2] = (uint16_t)quantize_16(h.z, bits);
     to[3] = UINT16_MAX;
 }
 

@@ -28,6 +28,9 @@ float rl_texel_unit(enum rl_texel_format format, float radiance_scale);
  * texels and in halves. */
 float rl_texel_nearest(enum rl_texel_format format, int component, double value);
 
+/* A normal's component v in [-1, 1] as a shader reads it from a normal map of `bits` (settings.normal_bits). */
+double rl_normal_component(int bits, double v);
+
 /* The texels of a normal map as they are uploaded: (H + 1)/2 of method->texel, rounded to `bits`
  * (settings.normal_bits). */
 struct rl_normal_texels {

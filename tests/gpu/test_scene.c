@@ -235,6 +235,44 @@ static void frames_repeat(void **state)
     fixture_end(&scene);
 }
 
+/* A scene that is given another seed draws what one made with that seed draws, and back; in between it is not the same. */
+static void reseeding_is_making_anew(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    struct rl_scene scene;
+    struct rl_plan plan[2];
+    struct rl_gpu_scene *gs[2];
+    struct rl_image image[4];
+    struct rl_settings settings = RL_SETTINGS_DEFAULT;
+    double seconds;
+    fixture_sphere(&scene, 64, 48, "random", 5.0);
+    for (int i = 0; i < 2; i++) {
+        settings.seed = (uint64_t)i + 1;
+        check_ok(rl_plan_make(&plan[i], &scene, &settings, &error), &error);
+        check_ok(rl_gpu_scene_make(&gs[i], gpu, &scene, &plan[i], &error), &error);
+    }
+    /* Made with 1, made with 2, reseeded to 2, back to 1. */
+    for (int i = 0; i < 4; i++) {
+        struct rl_gpu_scene *which = gs[i == 1];
+        if (i >= 2)
+            check_ok(rl_gpu_scene_reseed(which, i == 2 ? 2 : 1, &error), &error);
+        check_ok(rl_gpu_scene_frame(which, &seconds, &error), &error);
+        check_ok(rl_gpu_scene_read(which, &image[i], &error), &error);
+    }
+    size_t bytes = sizeof(float) * 4 * 64 * 48;
+    assert_memory_not_equal(image[0].data, image[1].data, bytes);
+    assert_memory_equal(image[2].data, image[1].data, bytes);
+    assert_memory_equal(image[3].data, image[0].data, bytes);
+    for (int i = 0; i < 2; i++) {
+        rl_gpu_scene_free(gs[i]);
+        rl_plan_clear(&plan[i]);
+    }
+    for (int i = 0; i < 4; i++)
+        rl_image_clear(&image[i]);
+    fixture_end(&scene);
+}
+
 static void an_image_that_opengl_refuses_is_an_error(void **state)
 {
     (void)state;
@@ -269,6 +307,7 @@ int main(void)
         cmocka_unit_test(back_faces_are_not_drawn),
         cmocka_unit_test(normals_that_face_away_have_no_highlight),
         cmocka_unit_test(frames_repeat),
+        cmocka_unit_test(reseeding_is_making_anew),
         cmocka_unit_test(an_image_that_opengl_refuses_is_an_error),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);

@@ -57,6 +57,9 @@ static void normals_are_the_methods_to_their_bits(void **state)
             double h[3];
             struct rl_microfacet expected = method->texel(&e, 5, i);
             decode(h, &texels, i);
+            check_near(rl_normal_component(rows[r].bits, expected.x), h[0], 1e-15);
+            check_near(rl_normal_component(rows[r].bits, expected.y), h[1], 1e-15);
+            check_near(rl_normal_component(rows[r].bits, expected.z), h[2], 1e-15);
             /* Half a step of the stored value is a whole one of H. */
             check_near(h[0], expected.x, rows[r].step + 2.0 * rows[r].tolerance);
             check_near(h[1], expected.y, rows[r].step + 2.0 * rows[r].tolerance);
