@@ -6,6 +6,7 @@
  * cannot remove, and a second reference, which sees the lights from the object's centre, tells the map's texels from its single
  * position. */
 #include "studies/samples.h"
+#include "studies/seeds.h"
 
 #include <stdbool.h>
 
@@ -199,7 +200,7 @@ const struct rl_study rl_study_samples = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
-    .check = rl_samples_check,
+    .check = rl_seeds_check,
     .measure = rl_samples_measure,
     .judge = rl_samples_judge,
 };

@@ -11,9 +11,6 @@
 int rl_samples_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                        const struct rl_scene *scene, struct rl_error *error);
 
-/* Whether that many seeds can be drawn. */
-int rl_samples_check(const char *parameters, struct rl_error *error);
-
 int rl_samples_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
 
 #endif

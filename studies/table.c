@@ -12,11 +12,7 @@ extern const struct rl_study rl_study_distribution;
 extern const struct rl_study rl_study_frame;
 
 const struct rl_study *const rl_studies[] = {
-    &rl_study_samples,
-    &rl_study_fps,
-    &rl_study_accuracy,
-    &rl_study_distribution,
-    &rl_study_frame,
+    &rl_study_samples, &rl_study_fps, &rl_study_accuracy, &rl_study_distribution, &rl_study_frame,
 };
 
 const size_t rl_n_studies = sizeof rl_studies / sizeof rl_studies[0];

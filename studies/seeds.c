@@ -1,0 +1,212 @@
+/* Draws, subtracts and splits pictures of several seeds (see seeds.h). */
+#include "studies/seeds.h"
+
+#include <math.h>
+
+#include "measure/statistics.h"
+
+double rl_root(double x)
+{
+    return sqrt(fmax(x, 0.0));
+}
+
+static int check_number(double n, struct rl_error *error)
+{
+    if (n >= 1.0 && n <= RL_SEEDS_MAX && n == floor(n))
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "found %g seeds, expected a whole number from 1 to %d", n,
+                   RL_SEEDS_MAX);
+}
+
+int rl_seeds_check(const char *parameters, struct rl_error *error)
+{
+    return check_number(rl_parameter_number(parameters, "seeds"), error);
+}
+
+int rl_seeds_draw(struct rl_seeds *s, struct rl_bench *bench, struct rl_bench_scene *set, double n,
+                  struct rl_error *error)
+{
+    int status = check_number(n, error);
+    while (s->n < (size_t)n && status == RL_OK) {
+        if (rl_progress_cancelled(&bench->quiet))
+            return rl_fail(error, RL_ERR_CANCELLED, "interrupted; what was finished is kept");
+        double seconds = 0.0;
+        status = rl_gpu_scene_reseed(set->gpu_scene, s->n + 1, error);
+        if (status == RL_OK)
+            status = rl_gpu_scene_frame(set->gpu_scene, &seconds, error);
+        if (status == RL_OK)
+            status = rl_gpu_scene_read(set->gpu_scene, &s->image[s->n++], error);
+    }
+    return status;
+}
+
+void rl_seeds_clear(struct rl_seeds *s)
+{
+    for (size_t k = 0; k < s->n; k++)
+        rl_image_clear(&s->image[k]);
+    s->n = 0;
+}
+
+static int subtract(struct rl_image *out, const struct rl_image *a, const struct rl_image *b,
+                    struct rl_error *error)
+{
+    if (a->width != b->width || a->height != b->height || a->channels != 4 || b->channels != 4)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "a difference of %d x %d pixels and %d x %d: expected R, G, B, A of the same size",
+                       a->width, a->height, b->width, b->height);
+    int status = rl_image_allocate(out, a->width, a->height, 4, error);
+    if (status != RL_OK)
+        return status;
+    size_t n = (size_t)a->width * (size_t)a->height * 4;
+    for (size_t i = 0; i < n; i++)
+        out->data[i] = i % 4 == 3 ? fminf(a->data[i], b->data[i]) : a->data[i] - b->data[i];
+    return RL_OK;
+}
+
+int rl_seeds_difference(struct rl_seeds *difference, const struct rl_seeds *a, const struct rl_seeds *b,
+                        struct rl_error *error)
+{
+    int status = RL_OK;
+    while (difference->n < a->n && difference->n < b->n && status == RL_OK) {
+        size_t k = difference->n++;
+        status = subtract(&difference->image[k], &a->image[k], &b->image[k], error);
+    }
+    return status;
+}
+
+/* Black and covered everywhere. */
+static int make_zero(struct rl_image *zero, const struct rl_image *like, struct rl_error *error)
+{
+    int status = rl_image_allocate(zero, like->width, like->height, 4, error);
+    size_t n = status == RL_OK ? (size_t)like->width * (size_t)like->height : 0;
+    for (size_t i = 0; i < n; i++)
+        zero->data[4 * i + 3] = 1.0f;
+    return status;
+}
+
+int rl_seeds_split(struct rl_bias_variance *split, const struct rl_seeds *s, const struct rl_image *reference,
+                   struct rl_error *error)
+{
+    struct rl_image zero = {0};
+    const struct rl_image *pointer[RL_SEEDS_MAX];
+    for (size_t k = 0; k < s->n; k++)
+        pointer[k] = &s->image[k];
+    int status = reference ? RL_OK : make_zero(&zero, &s->image[0], error);
+    if (!reference)
+        reference = &zero;
+    if (status == RL_OK && s->n > 1) {
+        status = rl_bias_variance_compute(split, pointer, s->n, reference, error);
+    } else if (status == RL_OK) {
+        struct rl_metrics m;
+        status = rl_metrics_compute(&m, &s->image[0], reference, error);
+        if (status == RL_OK && m.nonfinite > 0)
+            status = rl_fail(error, RL_ERR_CHECK, "%zu values are not finite", m.nonfinite);
+        double mse = m.rmse * m.rmse;
+        *split = (struct rl_bias_variance){.bias2 = mse, .bias2_low = mse, .bias2_high = mse, .mse = mse};
+    }
+    rl_image_clear(&zero);
+    return status;
+}
+
+/* Adds metrics until one fails; later calls do nothing. */
+struct adder {
+    struct rl_record *record;
+    struct rl_error *error;
+    int status;
+};
+
+static void add(struct adder *a, const char *name, double value, double low, double high, const char *unit)
+{
+    if (a->status == RL_OK)
+        a->status = rl_record_metric_add(a->record, name, value, low, high, unit, a->error);
+}
+
+/* The mean over seeds, with its interval where there are several. */
+static struct rl_interval over_seeds(const double *value, size_t n)
+{
+    if (n == 1)
+        return (struct rl_interval){value[0], value[0], value[0]};
+    return rl_mean_interval(value, n, 0.95);
+}
+
+static void add_root(struct adder *a, const char *name, struct rl_interval square)
+{
+    add(a, name, rl_root(square.value), rl_root(square.low), rl_root(square.high), "1");
+}
+
+/* RMSE, bias and so on of each seed's picture, and their mean. */
+static int add_metrics(struct adder *a, const struct rl_seeds *s, const struct rl_image *truth)
+{
+    double mse[RL_SEEDS_MAX], mae[RL_SEEDS_MAX], bias[RL_SEEDS_MAX], relmse[RL_SEEDS_MAX], largest = 0.0;
+    struct rl_metrics m = {0};
+    for (size_t k = 0; k < s->n; k++) {
+        int status = rl_metrics_compute(&m, &s->image[k], truth, a->error);
+        if (status != RL_OK)
+            return status;
+        if (m.nonfinite > 0)
+            return rl_fail(a->error, RL_ERR_CHECK, "%zu values are not finite", m.nonfinite);
+        mse[k] = m.rmse * m.rmse;
+        mae[k] = m.mae;
+        bias[k] = m.bias;
+        relmse[k] = m.relmse;
+        largest = fmax(largest, m.max);
+    }
+    add_root(a, "rmse", over_seeds(mse, s->n));
+    struct rl_interval i = over_seeds(mae, s->n);
+    add(a, "mae", i.value, i.low, i.high, "1");
+    i = over_seeds(bias, s->n);
+    add(a, "bias", i.value, i.low, i.high, "1");
+    i = over_seeds(relmse, s->n);
+    add(a, "relmse", i.value, i.low, i.high, "1");
+    add(a, "max", largest, largest, largest, "1");
+    add(a, "pixels", (double)m.pixels, (double)m.pixels, (double)m.pixels, "px");
+    add(a, "mismatched", (double)m.mismatched, (double)m.mismatched, (double)m.mismatched, "px");
+    return a->status;
+}
+
+static int add_centre(struct adder *a, const struct rl_seeds *s, const struct rl_image *centre)
+{
+    double mse[RL_SEEDS_MAX];
+    for (size_t k = 0; k < s->n; k++) {
+        struct rl_metrics m;
+        int status = rl_metrics_compute(&m, &s->image[k], centre, a->error);
+        if (status != RL_OK)
+            return status;
+        mse[k] = m.rmse * m.rmse;
+    }
+    add_root(a, "rmse_centre", over_seeds(mse, s->n));
+    return a->status;
+}
+
+/* Noise and floor: what more samples would average out and what they would not; and the floor that is left when the reference
+ * too sees the lights from the object's centre, which takes the map's parallax out of it. */
+static int add_split(struct adder *a, const struct rl_seeds *s, const struct rl_image *truth,
+                     const struct rl_image *centre)
+{
+    struct rl_bias_variance t, c;
+    struct rl_metrics parallax;
+    int status = rl_seeds_split(&t, s, truth, a->error);
+    if (status == RL_OK)
+        status = rl_seeds_split(&c, s, centre, a->error);
+    if (status == RL_OK)
+        status = rl_metrics_compute(&parallax, centre, truth, a->error);
+    if (status != RL_OK)
+        return status;
+    add(a, "bias2", t.bias2, t.bias2_low, t.bias2_high, "1");
+    add(a, "variance", t.variance, t.variance_low, t.variance_high, "1");
+    add_root(a, "floor", (struct rl_interval){t.bias2, t.bias2_low, t.bias2_high});
+    add_root(a, "noise", (struct rl_interval){t.variance, t.variance_low, t.variance_high});
+    add_root(a, "floor_centre", (struct rl_interval){c.bias2, c.bias2_low, c.bias2_high});
+    add(a, "parallax", parallax.rmse, parallax.rmse, parallax.rmse, "1");
+    return a->status;
+}
+
+int rl_seeds_add_error(struct rl_record *record, const struct rl_seeds *s, const struct rl_image *truth,
+                       const struct rl_image *centre, struct rl_error *error)
+{
+    struct adder a = {record, error, RL_OK};
+    int status = add_metrics(&a, s, truth);
+    if (status == RL_OK)
+        status = add_centre(&a, s, centre);
+    return status == RL_OK ? add_split(&a, s, truth, centre) : status;
+}
