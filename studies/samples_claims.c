@@ -6,139 +6,59 @@
 #include <string.h>
 
 #include "measure/statistics.h"
+#include "studies/judging.h"
 #include "studies/samples.h"
 
-enum { AXIS_MAX = 32 };
-
-static const double step_of_8_bits = 1.0 / 255.0;
-static const double central_rr =
-    30.0; /* where single figures are taken: the highlight shows the light's shape */
-
-/* One scene's rows of a run. */
-struct view {
-    const struct rl_run *run;
-    const char *scene;
-    struct rl_claims *claims;
-    struct rl_error *error;
-};
-
-static struct rl_claim *begin_claim(const struct view *v, const char *text)
-{
-    struct rl_claim *c = rl_claims_add(v->claims, v->error);
-    if (!c)
-        return NULL;
-    snprintf(c->text, sizeof c->text, "%.200s (%.40s)", text, v->scene);
-    rl_claim_source(c, v->run, v->scene);
-    return c;
-}
-
-/* The different values of a parameter among measured rows that match `pattern`, ascending. */
-static size_t axis(const struct view *v, const char *pattern, const char *key, double value[AXIS_MAX])
-{
-    size_t n = 0;
-    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, pattern));) {
-        double x = rl_parameter_number(r->parameters, key);
-        size_t at = 0;
-        while (at < n && value[at] < x)
-            at++;
-        if (isnan(x) || (at < n && value[at] == x) || n == AXIS_MAX)
-            continue;
-        memmove(value + at + 1, value + at, (n - at) * sizeof *value);
-        value[at] = x;
-        n++;
-    }
-    return n;
-}
-
-static const struct rl_metric *find(const struct view *v, const char *method, double samples, double rr,
+static const struct rl_metric *find(const struct rl_judging *v, const char *method, double samples, double rr,
                                     const char *metric)
 {
     char pattern[160];
     snprintf(pattern, sizeof pattern, "series=methods setting=paper method=%s samples=%g rr=%g", method,
              samples, rr);
-    const struct rl_record *r = rl_run_find(v->run, v->scene, pattern);
-    return r ? rl_record_metric(r, metric) : NULL;
+    return rl_judging_metric(v, pattern, metric);
 }
 
-static size_t rr_axis(const struct view *v, double rr[AXIS_MAX])
+static size_t rr_axis(const struct rl_judging *v, double rr[RL_AXIS_MAX])
 {
-    return axis(v, "series=methods setting=paper", "rr", rr);
-}
-
-/* The R_r nearest to the central one, in ratio. */
-static double nearest_rr(const double *rr, size_t n)
-{
-    double best = n ? rr[0] : central_rr;
-    for (size_t i = 1; i < n; i++)
-        if (fabs(log(rr[i] / central_rr)) < fabs(log(best / central_rr)))
-            best = rr[i];
-    return best;
-}
-
-/* "; R_r 3: 0.031" */
-static void append(char *note, size_t size, double rr, double value)
-{
-    size_t used = strlen(note);
-    if (isinf(value))
-        snprintf(note + used, size - used, "%sR_r %g: none", used ? "; " : "", rr);
-    else
-        snprintf(note + used, size - used, "%sR_r %g: %.3g", used ? "; " : "", rr, value);
-}
-
-/* Along R_r from smooth to rough: where the claim holds without a gap from the smooth end, its reach is the roughest such R_r. */
-static void judge_along_rr(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n)
-{
-    size_t holding = 0, failing = 0;
-    while (holding < n && verdict[n - 1 - holding] == RL_VERDICT_HOLDS)
-        holding++;
-    for (size_t i = 0; i < n; i++)
-        failing += verdict[i] == RL_VERDICT_FAILS;
-    if (n > 0 && holding == n) {
-        c->verdict = RL_VERDICT_HOLDS;
-    } else if (holding > 0 && failing > 0) {
-        c->verdict = RL_VERDICT_HOLDS_UP_TO;
-        rl_claim_value(c, rr[n - holding], rr[n - holding], rr[n - holding], "R_r and smoother");
-    } else if (n > 0 && failing == n) {
-        c->verdict = RL_VERDICT_FAILS;
-    }
+    return rl_judging_axis(v, "series=methods setting=paper", "rr", rr);
 }
 
 /* Four samples: below one step of an 8-bit frame buffer? The figure shown is that of the central R_r. */
-static int claim_four(const struct view *v, const double *rr, size_t n)
+static int claim_four(const struct rl_judging *v, const double *rr, size_t n)
 {
     struct rl_claim *c =
-        begin_claim(v, "paper: 4 random normals a pixel suffice: RMSE at most 1/255 of full scale");
+        rl_judging_claim(v, "paper: 4 random normals a pixel suffice: RMSE at most 1/255 of full scale");
     if (!c)
         return RL_ERR_SYSTEM;
-    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(v, "random", 4, rr[i], "rmse");
         if (!m)
             continue;
-        verdict[i] = rl_verdict_at_most(m->low, m->high, step_of_8_bits);
-        append(c->note, sizeof c->note, rr[i], m->value);
-        if (rr[i] == nearest_rr(rr, n))
+        verdict[i] = rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS);
+        rl_judging_note(c, rr[i], m->value);
+        if (rr[i] == rl_central_rr(rr, n))
             rl_claim_value(c, m->value, m->low, m->high, "RMSE");
     }
-    judge_along_rr(c, rr, verdict, n);
+    rl_judging_along(c, rr, verdict, n);
     return RL_OK;
 }
 
 /* Where the curve RMSE(N) first comes down to the bound, by straight lines in log-log; infinite if it does not within the grid.
  * `end` -1, 0, 1: of the interval's lower end, the value, the upper end. */
-static double samples_needed(const struct view *v, double rr, int end)
+static double samples_needed(const struct rl_judging *v, double rr, int end)
 {
-    double N[AXIS_MAX], before = NAN, before_n = NAN;
-    size_t n = axis(v, "series=methods setting=paper method=random", "samples", N);
+    double N[RL_AXIS_MAX], before = NAN, before_n = NAN;
+    size_t n = rl_judging_axis(v, "series=methods setting=paper method=random", "samples", N);
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(v, "random", N[i], rr, "rmse");
         if (!m)
             continue;
         double e = end < 0 ? m->low : end > 0 ? m->high : m->value;
-        if (e <= step_of_8_bits) {
+        if (e <= RL_STEP_OF_8_BITS) {
             if (isnan(before) || !(e > 0.0))
                 return N[i];
-            double t = log(before / step_of_8_bits) / log(before / e);
+            double t = log(before / RL_STEP_OF_8_BITS) / log(before / e);
             return before_n * pow(N[i] / before_n, t);
         }
         before = e;
@@ -147,31 +67,31 @@ static double samples_needed(const struct view *v, double rr, int end)
     return isnan(before) ? NAN : INFINITY;
 }
 
-static int claim_enough(const struct view *v, const double *rr, size_t n)
+static int claim_enough(const struct rl_judging *v, const double *rr, size_t n)
 {
-    struct rl_claim *c =
-        begin_claim(v, "ours: some number of random normals up to the grid's largest brings RMSE to 1/255");
+    struct rl_claim *c = rl_judging_claim(
+        v, "ours: some number of random normals up to the grid's largest brings RMSE to 1/255");
     if (!c)
         return RL_ERR_SYSTEM;
-    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         double needed = samples_needed(v, rr[i], 0), high = samples_needed(v, rr[i], 1);
         verdict[i] = isnan(needed)    ? RL_VERDICT_INCONCLUSIVE
                      : isfinite(high) ? RL_VERDICT_HOLDS
                      : isinf(needed)  ? RL_VERDICT_FAILS
                                       : RL_VERDICT_INCONCLUSIVE;
-        append(c->note, sizeof c->note, rr[i], needed);
-        if (rr[i] == nearest_rr(rr, n))
+        rl_judging_note(c, rr[i], needed);
+        if (rr[i] == rl_central_rr(rr, n))
             rl_claim_value(c, needed, samples_needed(v, rr[i], -1), high, "normals a pixel");
     }
-    judge_along_rr(c, rr, verdict, n);
+    rl_judging_along(c, rr, verdict, n);
     return RL_OK;
 }
 
-static struct rl_interval noise_slope(const struct view *v, double rr)
+static struct rl_interval noise_slope(const struct rl_judging *v, double rr)
 {
-    double N[AXIS_MAX], noise[AXIS_MAX];
-    size_t n = axis(v, "series=methods setting=paper method=random", "samples", N), kept = 0;
+    double N[RL_AXIS_MAX], noise[RL_AXIS_MAX];
+    size_t n = rl_judging_axis(v, "series=methods setting=paper method=random", "samples", N), kept = 0;
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(v, "random", N[i], rr, "noise");
         if (!m)
@@ -183,15 +103,15 @@ static struct rl_interval noise_slope(const struct view *v, double rr)
 }
 
 /* The R_r whose slope is farthest from -1/2 speaks for all. */
-static int claim_slope(const struct view *v, const double *rr, size_t n)
+static int claim_slope(const struct rl_judging *v, const double *rr, size_t n)
 {
-    struct rl_claim *c = begin_claim(
+    struct rl_claim *c = rl_judging_claim(
         v, "ours: the noise of random normals falls as N^(-1/2) (slope -0.5 to within 0.01, at every R_r)");
     if (!c)
         return RL_ERR_SYSTEM;
     for (size_t i = 0; i < n; i++) {
         struct rl_interval s = noise_slope(v, rr[i]);
-        append(c->note, sizeof c->note, rr[i], s.value);
+        rl_judging_note(c, rr[i], s.value);
         if (isnan(s.value) || fabs(s.value + 0.5) < fabs(c->value + 0.5))
             continue;
         rl_claim_value(c, s.value, s.low, s.high, "slope");
@@ -201,26 +121,26 @@ static int claim_slope(const struct view *v, const double *rr, size_t n)
 }
 
 /* Of the squared error at the largest N, how much is bias: what no further sample removes. */
-static int claim_bias_share(const struct view *v, const double *rr, size_t n)
+static int claim_bias_share(const struct rl_judging *v, const double *rr, size_t n)
 {
     struct rl_claim *c =
-        begin_claim(v, "ours: with the paper's settings more samples stop helping: at the largest "
-                       "N most of the squared error is bias");
+        rl_judging_claim(v, "ours: with the paper's settings more samples stop helping: at the largest "
+                            "N most of the squared error is bias");
     if (!c)
         return RL_ERR_SYSTEM;
     for (size_t i = 0; i < n; i++) {
         char pattern[96];
         snprintf(pattern, sizeof pattern, "series=methods setting=paper method=random rr=%g", rr[i]);
-        double N[AXIS_MAX];
-        size_t n_samples = axis(v, pattern, "samples", N);
+        double N[RL_AXIS_MAX];
+        size_t n_samples = rl_judging_axis(v, pattern, "samples", N);
         if (n_samples == 0)
             continue;
         const struct rl_metric *b = find(v, "random", N[n_samples - 1], rr[i], "bias2");
         const struct rl_metric *s = find(v, "random", N[n_samples - 1], rr[i], "variance");
         if (!b || !s)
             continue;
-        append(c->note, sizeof c->note, rr[i], b->value / (b->value + s->value));
-        if (rr[i] != nearest_rr(rr, n))
+        rl_judging_note(c, rr[i], b->value / (b->value + s->value));
+        if (rr[i] != rl_central_rr(rr, n))
             continue;
         double bias_low = fmax(b->low, 0.0);
         double low = bias_low / (bias_low + s->high), high = b->high / (b->high + s->low);
@@ -230,27 +150,18 @@ static int claim_bias_share(const struct view *v, const double *rr, size_t n)
     return RL_OK;
 }
 
-/* Ratio of two metrics whose intervals are independent: the quotient's interval by the worst of both ends. */
-static void ratio_value(struct rl_claim *c, const struct rl_metric *a, const struct rl_metric *b,
-                        const char *unit)
-{
-    rl_claim_value(c, a->value / b->value, a->low / b->high, b->low > 0.0 ? a->high / b->low : INFINITY,
-                   unit);
-}
-
-static const struct rl_metric *find_floor(const struct view *v, double env_size, const char *metric)
+static const struct rl_metric *find_floor(const struct rl_judging *v, double env_size, const char *metric)
 {
     char pattern[96];
     snprintf(pattern, sizeof pattern, "series=floor env_size=%g", env_size);
-    const struct rl_record *r = rl_run_find(v->run, v->scene, pattern);
-    return r ? rl_record_metric(r, metric) : NULL;
+    return rl_judging_metric(v, pattern, metric);
 }
 
 /* What is left at the largest map, and whether the map's position explains it. */
-static int claim_floor(const struct view *v)
+static int claim_floor(const struct rl_judging *v)
 {
-    double size[AXIS_MAX];
-    size_t n = axis(v, "series=floor", "env_size", size);
+    double size[RL_AXIS_MAX];
+    size_t n = rl_judging_axis(v, "series=floor", "env_size", size);
     static const struct {
         const char *text, *metric;
         bool at_least;
@@ -262,7 +173,7 @@ static int claim_floor(const struct view *v)
          "floor_centre", false},
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-        struct rl_claim *c = begin_claim(v, row[k].text);
+        struct rl_claim *c = rl_judging_claim(v, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
         const struct rl_metric *best = n ? find_floor(v, size[n - 1], row[k].metric) : NULL;
@@ -270,32 +181,32 @@ static int claim_floor(const struct view *v)
             continue;
         rl_claim_value(c, best->value, best->low, best->high, "RMSE");
         snprintf(c->note, sizeof c->note, "at R_r %g, float normals, a map of %g texels a face edge",
-                 central_rr, size[n - 1]);
-        c->verdict = row[k].at_least ? rl_verdict_at_least(best->low, best->high, step_of_8_bits)
-                                     : rl_verdict_at_most(best->low, best->high, step_of_8_bits);
+                 RL_CENTRAL_RR, size[n - 1]);
+        c->verdict = row[k].at_least ? rl_verdict_at_least(best->low, best->high, RL_STEP_OF_8_BITS)
+                                     : rl_verdict_at_most(best->low, best->high, RL_STEP_OF_8_BITS);
     }
     return RL_OK;
 }
 
 /* Resolution against position. */
-static int claim_texels(const struct view *v)
+static int claim_texels(const struct rl_judging *v)
 {
-    struct rl_claim *c = begin_claim(
+    struct rl_claim *c = rl_judging_claim(
         v, "ours: 256 texels are enough: their error is less than that of the map's single position (ratio)");
     if (!c)
         return RL_ERR_SYSTEM;
     const struct rl_metric *texels = find_floor(v, 256, "floor_centre"),
                            *position = find_floor(v, 256, "parallax");
     if (texels && position) {
-        ratio_value(c, texels, position, "1");
-        snprintf(c->note, sizeof c->note, "at R_r %g: texels %.3g, position %.3g", central_rr, texels->value,
-                 position->value);
+        rl_judging_ratio(c, texels, position, "1");
+        snprintf(c->note, sizeof c->note, "at R_r %g: texels %.3g, position %.3g", RL_CENTRAL_RR,
+                 texels->value, position->value);
         c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
     }
     return RL_OK;
 }
 
-static int claim_against_regular(const struct view *v, const double *rr, size_t n)
+static int claim_against_regular(const struct rl_judging *v, const double *rr, size_t n)
 {
     static const struct {
         const char *text, *metric;
@@ -306,23 +217,23 @@ static int claim_against_regular(const struct view *v, const double *rr, size_t 
          "floor"},
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-        struct rl_claim *c = begin_claim(v, row[k].text);
+        struct rl_claim *c = rl_judging_claim(v, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
-        enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+        enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *random = find(v, "random", 4, rr[i], row[k].metric);
             const struct rl_metric *regular = find(v, "regular", 13, rr[i], row[k].metric);
             if (!random || !regular)
                 continue;
-            append(c->note, sizeof c->note, rr[i], random->value / regular->value);
+            rl_judging_note(c, rr[i], random->value / regular->value);
             struct rl_claim ratio = {0};
-            ratio_value(&ratio, random, regular, "1");
+            rl_judging_ratio(&ratio, random, regular, "1");
             verdict[i] = rl_verdict_at_most(ratio.low, ratio.high, 1.0);
-            if (rr[i] == nearest_rr(rr, n))
+            if (rr[i] == rl_central_rr(rr, n))
                 rl_claim_value(c, ratio.value, ratio.low, ratio.high, "1");
         }
-        judge_along_rr(c, rr, verdict, n);
+        rl_judging_along(c, rr, verdict, n);
     }
     return RL_OK;
 }
@@ -332,10 +243,10 @@ int rl_samples_judge(struct rl_claims *claims, const struct rl_run *run, struct 
     int status = RL_OK;
     const char *scene;
     for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
-        struct view v = {run, scene, claims, error};
-        double rr[AXIS_MAX];
+        struct rl_judging v = {run, scene, claims, error};
+        double rr[RL_AXIS_MAX];
         size_t n = rr_axis(&v, rr);
-        int (*const claim[])(const struct view *, const double *, size_t) = {
+        int (*const claim[])(const struct rl_judging *, const double *, size_t) = {
             claim_four, claim_enough, claim_slope, claim_bias_share, claim_against_regular,
         };
         for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
