@@ -62,9 +62,11 @@ void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdic
     if (n > 0 && smooth == n) {
         c->verdict = RL_VERDICT_HOLDS;
     } else if (smooth + rough > 0 && failing > 0) {
-        double reach = smooth >= rough ? rr[n - smooth] : rr[rough - 1];
         c->verdict = RL_VERDICT_HOLDS_UP_TO;
-        rl_claim_value(c, reach, reach, reach, smooth >= rough ? "R_r and smoother" : "R_r and rougher");
+        if (smooth >= rough)
+            rl_claim_value(c, rr[n - smooth], rr[n - smooth - 1], rr[n - smooth], "R_r and smoother");
+        else
+            rl_claim_value(c, rr[rough - 1], rr[rough - 1], rr[rough], "R_r and rougher");
     } else if (n > 0 && failing == n) {
         c->verdict = RL_VERDICT_FAILS;
     }

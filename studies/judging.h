@@ -43,7 +43,8 @@ size_t rl_judging_axis(const struct rl_judging *j, const char *pattern, const ch
 double rl_central_rr(const double *rr, size_t n);
 
 /* The verdicts at the R_r of an ascending axis make one: holds or fails where they all do. Where it holds without a gap from one end, the
- * smooth or the rough one, and fails somewhere beyond, its reach is the last such R_r, which becomes the claim's value; of two
+ * smooth or the rough one, and fails somewhere beyond, its reach is the last such R_r, which
+ * becomes the claim's value, and the next R_r the other end of the interval that holds the limit; of two
  * such reaches the longer one. Else the claim is left as it is. */
 void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n);
 

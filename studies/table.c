@@ -5,15 +5,23 @@
 
 #include "studies/study.h"
 
+extern const struct rl_study rl_study_distribution;
 extern const struct rl_study rl_study_samples;
+extern const struct rl_study rl_study_roughness;
+extern const struct rl_study rl_study_frame;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_accuracy;
-extern const struct rl_study rl_study_distribution;
-extern const struct rl_study rl_study_frame;
 
+/* clang-format off: one row each */
 const struct rl_study *const rl_studies[] = {
-    &rl_study_samples, &rl_study_fps, &rl_study_accuracy, &rl_study_distribution, &rl_study_frame,
+    &rl_study_distribution,
+    &rl_study_samples,
+    &rl_study_roughness,
+    &rl_study_frame,
+    &rl_study_fps,
+    &rl_study_accuracy,
 };
+/* clang-format on */
 
 const size_t rl_n_studies = sizeof rl_studies / sizeof rl_studies[0];
 

@@ -189,8 +189,9 @@ int rl_normal_texels_make(struct rl_normal_texels *texels, const struct rl_plan_
         return rl_fail_memory(error, "the normal map");
     struct rl_ellipsoid e = rl_ellipsoid_make(map->rr);
     void *data = texels->data;
-    /* Every texel has random numbers of its own, so that threads change nothing. */
-#pragma omp parallel for schedule(static)
+    /* Every texel has random numbers of its own, so that threads change nothing. For a small map they do not pay: threads that wait for
+     * more work spin for longer than it takes, at the expense of the renderer's. */
+#pragma omp parallel for schedule(static) if (count > 1L << 14)
     for (long i = 0; i < count; i++)
         store(data, (size_t)i, map->method->texel(&e, settings->seed, (uint64_t)i), settings->normal_bits);
     return RL_OK;

@@ -1,0 +1,120 @@
+# Figures of the study `roughness`, from roughness.tsv and roughness_needed.tsv.
+#
+#   gnuplot -c plots/roughness.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
+#
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is error, split or needed.
+folder = ARG2
+output = ARG3
+figure = ARG4
+scene = ARG5
+load ARG1
+data = folder . "/roughness.tsv"
+
+step = 1.0 / 255.0
+here(s) = s eq scene
+# An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
+above_zero(x) = x > 1e-12 ? x : 1e-12
+
+# The numbers of normals that were measured with the paper's settings, ascending: the next larger one until there is none.
+next = 0.0
+last = 0.0
+note(x) = (x > last && x < next ? next = x : 0, x)
+regular = ""
+random = ""
+while (1) {
+    next = 1e99
+    stats data using (here(strcol("scene")) && strcol("setting") eq "paper" && strcol("method") eq "regular" ? note(column("samples")) : NaN) nooutput
+    if (next == 1e99) { break }
+    regular = regular . sprintf("%g ", next)
+    last = next
+}
+last = 0.0
+while (1) {
+    next = 1e99
+    stats data using (here(strcol("scene")) && strcol("setting") eq "paper" && strcol("method") eq "random" ? note(column("samples")) : NaN) nooutput
+    if (next == 1e99) { break }
+    random = random . sprintf("%g ", next)
+    last = next
+}
+row(setting, method, samples) = here(strcol("scene")) && strcol("setting") eq setting && strcol("method") eq method && column("samples") == samples
+
+stats data using (here(strcol("scene")) && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
+stats data using (here(strcol("scene")) ? column("rr") : NaN) name "RR" nooutput
+# A scene without a highlight has no error. Exit status 3 says that there is nothing to draw.
+if (!exists("RMSE_min") || words(random) == 0) { exit status 3 }
+largest = word(random, words(random))
+decade_low = 10 ** floor(log10(RMSE_min < step ? RMSE_min : step))
+decade_high = 10 ** ceil(log10(RMSE_max))
+
+set logscale xy
+set format y "10^{%L}"
+set xlabel "R_r, roughness: 1 is the roughest, 1000 nearly a mirror"
+set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
+set mxtics 1
+set xrange [RR_min / 1.15:RR_max * 1.15]
+
+if (figure eq "error") {
+    set title "Error of every method over roughness, the paper's settings: " . scene
+    set ylabel "RMSE of linear radiance (full scale 1)"
+    set yrange [decade_low:decade_high]
+    set key maxcols 3
+    plot data using (row("paper", "plain", 0) ? column("rr") : NaN):"rmse" with linespoints linetype 4 pointsize 0.9 title "plain", \
+        for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):"rmse" \
+            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular " . word(regular, i), \
+        for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):"rmse":(above_zero(column("rmse_low"))):"rmse_high" \
+            with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random " . word(random, i), \
+        step with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "split") {
+    set title "What the error of random normals is made of: " . scene
+    set ylabel "noise and floors (full scale 1)"
+    set yrange [1e-4:decade_high]
+    set bmargin 10.5
+    fine = 0
+    stats data using (here(strcol("scene")) && strcol("setting") eq "fine" && column("samples") > fine ? fine = column("samples") : NaN) nooutput
+    positive(metric) = column(metric) > 0 ? column("rr") : NaN
+    part(setting, samples, metric) = row(setting, "random", samples) ? positive(metric) : NaN
+    plot data using (row("paper", "random", 4) ? column("rr") : NaN):"noise":(above_zero(column("noise_low"))):"noise_high" \
+            with yerrorlines linetype 1 dashtype 1 pointsize 0.9 title "noise, 4 normals", \
+        data using (row("paper", "random", largest + 0) ? column("rr") : NaN):"noise":(above_zero(column("noise_low"))):"noise_high" \
+            with yerrorlines linetype 7 dashtype 1 pointtype 6 pointsize 0.9 title "noise, " . largest . " normals", \
+        data using (part("paper", largest + 0, "floor")):"floor":(above_zero(column("floor_low"))):"floor_high" \
+            with yerrorlines linetype 2 dashtype 1 pointsize 0.9 title "floor", \
+        data using (row("paper", "random", largest + 0) ? column("rr") : NaN):"parallax" \
+            with lines linetype 4 dashtype 3 title "parallax alone", \
+        data using (part("paper", largest + 0, "floor_centre_high")):(above_zero(column("floor_centre"))):(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+            with yerrorbars linetype 3 dashtype 1 pointsize 1 title "floor − parallax, paper's", \
+        data using (part("fine", fine, "floor_centre_high") * 1.04):(above_zero(column("floor_centre"))):(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+            with yerrorbars linetype 5 dashtype 1 pointsize 1 title "floor − parallax, fine", \
+        step with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "needed") {
+    data = folder . "/roughness_needed.tsv"
+    set title "Random normals a pixel for an RMSE of 1/255: " . scene
+    set ylabel "normals a pixel"
+    top = 1e5
+    set yrange [1:top]
+    set format y "%g"
+    # Infinite: at the upper edge.
+    finite(x) = x < top ? x : NaN
+    edge(x) = x < top ? x : top
+    none(x) = x < top ? NaN : top / 1.25
+    one(setting) = here(strcol("scene")) && strcol("setting") eq setting
+    # Side by side where the three agree.
+    x(i) = column("rr") * 1.04 ** i
+    plot data using (one("paper") ? x(-1) : NaN):(finite(column("needed"))):(edge(column("needed_low"))):(edge(column("needed_high"))) \
+            with yerrorlines linetype 1 dashtype 1 pointsize 1 notitle, \
+        data using (one("paper") ? x(-1) : NaN):(none(column("needed"))) with points linetype 1 pointtype 6 pointsize 1.3 notitle, \
+        data using (one("paper") ? x(0) : NaN):(finite(column("needed_centre"))):(edge(column("needed_centre_low"))):(edge(column("needed_centre_high"))) \
+            with yerrorlines linetype 2 dashtype 1 pointsize 1 notitle, \
+        data using (one("paper") ? x(0) : NaN):(none(column("needed_centre"))) with points linetype 2 pointtype 4 pointsize 1.3 notitle, \
+        data using (one("fine") ? x(1) : NaN):(finite(column("needed_centre"))):(edge(column("needed_centre_low"))):(edge(column("needed_centre_high"))) \
+            with yerrorlines linetype 3 dashtype 1 pointsize 1 notitle, \
+        data using (one("fine") ? x(1) : NaN):(none(column("needed_centre"))) with points linetype 3 pointtype 8 pointsize 1.3 notitle, \
+        keyentry with linespoints linetype 1 dashtype 1 pointsize 1 title "paper's", \
+        keyentry with linespoints linetype 2 dashtype 1 pointsize 1 title "paper's − parallax", \
+        keyentry with linespoints linetype 3 dashtype 1 pointsize 1 title "fine − parallax", \
+        4 with lines linestyle 90 title "4 and 1024", 1024 with lines linestyle 90 notitle
+}
