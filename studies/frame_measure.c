@@ -300,7 +300,7 @@ static int measure_scene(struct rl_record *r, struct rl_bench *bench, const stru
     char parameters[RL_PARAMETERS_MAX];
     const struct rl_image *image;
     struct rl_image printed = {0};
-    snprintf(parameters, sizeof parameters, "%.300s frame=printed", r->parameters);
+    snprintf(parameters, sizeof parameters, "%.300s method=reference frame=printed", r->parameters);
     int status = rl_bench_reference(&image, bench, scene, parameters, RL_LIGHT_FROM_POINT, error);
     if (status == RL_OK)
         status = copy_image(&printed, image, error);

@@ -81,8 +81,9 @@ int rl_bench_reference(const struct rl_image **out, struct rl_bench *bench, cons
     settings.method = "reference";
     settings.samples = 0;
     settings.light_from = from;
-    /* The printed frame is one of the approximations that are measured, so the truth does without. */
-    settings.frame = RL_FRAME_ORTHONORMAL;
+    /* The printed frame is one of the approximations that are measured, so the truth does without, unless it is asked about itself. */
+    if (!rl_parameters_match(parameters, "method=reference"))
+        settings.frame = RL_FRAME_ORTHONORMAL;
     if (settings.width == 0 || settings.height == 0) {
         settings.width = scene->width;
         settings.height = scene->height;

@@ -12,7 +12,8 @@ extern const struct rl_study rl_study_frame;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_accuracy;
 
-/* clang-format off: one row each */
+/* One row each. */
+/* clang-format off */
 const struct rl_study *const rl_studies[] = {
     &rl_study_distribution,
     &rl_study_samples,
