@@ -121,7 +121,7 @@ check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.
 check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 25 ]
 check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 13 ]
 check "a row each case of accuracy" [ "$(cat "$tmp"/tables/accuracy_*.tsv | wc -l)" -eq \
-    $((3 + $("$rl" study status --db "$db" | awk -F "$tab" '$1 == "accuracy" { print $5 }'))) ]
+    $((3 + $("$rl" study status --db "$db" | awk -F "$tab" '$1 == "accuracy" { n += $5 } END { print n + 0 }'))) ]
 for integrator in reference cubature montecarlo vegas cubature-uv; do
     check "accuracy has the integrator $integrator" [ "$(column integrator "$tmp/tables/accuracy_points.tsv" | grep -cx $integrator)" -gt 0 ]
 done
