@@ -9,29 +9,39 @@ double rl_line_azimuth(double x, double y)
     return theta < RL_PI ? theta : 0.0;
 }
 
-/* Whether the circle of the line at theta, known to touch the edge's great circle, touches it between the edge's ends. */
+/* Whether the circle of the line at theta, known to touch the edge's great circle, touches it between the edge's ends, or so near to one
+ * that rounding may have it either way. */
 static bool touches(const struct rl_lines *lines, const struct rl_edge *edge, double theta)
 {
+    static const double slack = 1e-7;
     double x, y;
     sincos(theta, &y, &x);
     double from = -y * edge->from_x + x * edge->from_y, to = -y * edge->to_x + x * edge->to_y;
     double v_b = -y * lines->v_x + x * lines->v_y;
     /* Between the ends b.p has a maximum r or a minimum -r; it is -v_b that it must equal. */
-    return (from > 0.0 && to < 0.0 && v_b <= 0.0) || (from < 0.0 && to > 0.0 && v_b >= 0.0);
+    return (from > -slack && to < slack && v_b <= slack) || (from < slack && to > -slack && v_b >= -slack);
 }
 
-/* d^2 = 0: c^2 (1 - m_y^2 - v_y^2) + 2 s c (m_x m_y + v_x v_y) + s^2 (1 - m_x^2 - v_x^2) = 0 for t = (c, s). */
-size_t rl_touch_breaks(struct rl_break breaks[2], const struct rl_lines *lines, rl_vec3 m)
+/* d^2 = 0: a c^2 + 2 h s c + b s^2 = 0 for t = (c, s), with a = 1 - m_y^2 - v_y^2, h = m_x m_y + v_x v_y, b = 1 - m_x^2 - v_x^2. The
+ * discriminant h^2 - a b is -(m.M)(m.V), M being the mirror direction: where the great circle passes M or -V, through which all lines
+ * go, both roots are one. The line's two crossings change places there, and a derivative jumps; passing near to it, quickly. */
+size_t rl_touch_breaks(struct rl_break *breaks, const struct rl_lines *lines, rl_vec3 m)
 {
+    static const double one = 1e-10, near = -1e-2;
     double a = 1.0 - m.y * m.y - lines->v_y * lines->v_y;
     double half = m.x * m.y + lines->v_x * lines->v_y;
     double b = 1.0 - m.x * m.x - lines->v_x * lines->v_x;
-    double discriminant = half * half - a * b;
-    if (!(discriminant >= 0.0))
-        return 0;
+    double across = m.x * lines->v_x + m.y * lines->v_y, along = m.z * lines->v_n;
+    double discriminant = (across - along) * (across + along);
+    size_t n = 0;
+    if (discriminant < one && discriminant > near) {
+        double x = fabs(a) > fabs(b) ? -half : b, y = fabs(a) > fabs(b) ? a : -half;
+        breaks[n++] = (struct rl_break){.theta = rl_line_azimuth(x, y), .kind = RL_BREAK_KINK};
+    }
+    if (!(discriminant > 0.0))
+        return n;
     double w = -(half + copysign(sqrt(discriminant), half));
     const double x[2] = {w, b}, y[2] = {a, w};
-    size_t n = 0;
     for (int i = 0; i < 2; i++)
         if (x[i] != 0.0 || y[i] != 0.0)
             breaks[n++] = (struct rl_break){.theta = rl_line_azimuth(x[i], y[i]), .kind = RL_BREAK_ROOT};
@@ -42,7 +52,7 @@ static size_t edge_touches(struct rl_break *breaks, const struct rl_lines *lines
 {
     size_t n = rl_touch_breaks(breaks, lines, edge->m);
     for (size_t i = 0; i < n; i++)
-        if (touches(lines, edge, breaks[i].theta))
+        if (breaks[i].kind == RL_BREAK_ROOT && touches(lines, edge, breaks[i].theta))
             breaks[i].kind = RL_BREAK_TOUCH;
     return n;
 }

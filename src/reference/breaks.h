@@ -31,8 +31,8 @@ struct rl_break {
 /* Room that rl_breaks_find may need. */
 size_t rl_breaks_most(const struct rl_light_set *set);
 
-/* One edge's start, two touches, four planes and up to five kinks of shadowing. */
-enum { RL_BREAKS_OF_EDGE = 12 };
+/* One edge's start, three touches, four planes and up to five kinks of shadowing. */
+enum { RL_BREAKS_OF_EDGE = 13 };
 
 /* Those of one edge: at most RL_BREAKS_OF_EDGE. */
 size_t rl_breaks_of_edge(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge);
@@ -44,8 +44,10 @@ size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines);
 size_t rl_overlap_breaks_most(const struct rl_light_set *set);
 size_t rl_overlap_breaks(struct rl_break *breaks, const struct rl_lines *lines);
 
-/* Where a line's circle touches the great circle m, whatever part of that is an edge: up to two, as RL_BREAK_ROOT. */
-size_t rl_touch_breaks(struct rl_break breaks[2], const struct rl_lines *lines, rl_vec3 m);
+/* Where a line's circle touches the great circle m, whatever part of that is an edge: up to two, as RL_BREAK_ROOT, and where those two
+ * nearly coincide, a RL_BREAK_KINK. */
+enum { RL_TOUCHES_MOST = 3 };
+size_t rl_touch_breaks(struct rl_break *breaks, const struct rl_lines *lines, rl_vec3 m);
 
 /* The azimuth in [0, pi) of the undirected line along (x, y). */
 double rl_line_azimuth(double x, double y);

@@ -71,7 +71,7 @@ static void add_polygon(struct rl_light_set *set, const rl_vec3 *vertex, size_t 
         size = fmax(size, v3_length(from_first));
         off = fmax(off, fabs(v3_dot(polygon.normal, from_first)));
     }
-    polygon.thickness = 2.0 * off + 1e-13 * size;
+    polygon.thickness = 2.0 * off + 4e-15 * size;
     set->polygon[set->n_polygons++] = polygon;
     set->n_vertices += n;
 }

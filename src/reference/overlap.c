@@ -87,10 +87,13 @@ static void planes_cross(struct rl_break *breaks, size_t *n, const struct rl_lin
             if (parted(m, &arc))
                 add(breaks, n, lines, meeting(m, &arc));
         }
-    struct rl_break touch[2];
+    struct rl_break touch[RL_TOUCHES_MOST];
     size_t n_touch = rl_touch_breaks(touch, lines, m);
     for (size_t i = 0; i < n_touch && *n < rl_overlap_breaks_most(lines->set); i++)
-        breaks[(*n)++] = (struct rl_break){.theta = touch[i].theta, .kind = RL_BREAK_TOUCH};
+        breaks[(*n)++] = (struct rl_break){
+            .theta = touch[i].theta,
+            .kind = touch[i].kind == RL_BREAK_ROOT ? RL_BREAK_TOUCH : touch[i].kind,
+        };
 }
 
 static void polygons_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines,
