@@ -93,30 +93,47 @@ static size_t cross_polygon(struct rl_crossing *out, const struct rl_lines *line
     return n;
 }
 
-/* How often the polygon is seen through at delta = -pi/2, from its crossings on this line. */
-static int winding_at_start(const struct rl_lines *lines, const struct rl_seen_polygon *polygon,
-                            const struct rl_crossing *crossing, size_t n)
+/* Below this, on which side of the mirror direction a crossing lies is rounding. */
+static const double near_mirror = 1e-9;
+
+/* The least winding at the start with which no more leave than were there; crossings at the mirror direction count as one. */
+static int least_winding(const struct rl_crossing *crossing, size_t n)
 {
-    if (lines->attenuation)
-        return 0; /* below the horizon */
-    /* At delta = 0 the line passes the mirror direction, of which it is known how many polygons it hits. Where an edge lies
-     * too near to tell on which side of it that is, the crossings decide: no more may leave than were there. */
-    int before_mirror = 0;
-    double nearest = 1.0;
-    for (size_t i = 0; i < n; i++) {
-        nearest = fmin(nearest, fabs(crossing[i].normal.s));
-        before_mirror += crossing[i].normal.s < 0.0 ? crossing[i].sign : 0;
-    }
-    if (nearest > 1e-9)
-        return polygon->mirror_winding - before_mirror;
     int least = 0;
     for (size_t i = 0; i < n; i++) {
         int so_far = 0;
         for (size_t j = 0; j < n; j++)
-            so_far += crossing[j].normal.s <= crossing[i].normal.s ? crossing[j].sign : 0;
+            if (crossing[j].normal.s <= fmax(crossing[i].normal.s, near_mirror) &&
+                (crossing[j].normal.s <= crossing[i].normal.s || fabs(crossing[i].normal.s) < near_mirror))
+                so_far += crossing[j].sign;
         least = so_far < least ? so_far : least;
     }
     return -least;
+}
+
+/* How often the polygon is seen through at delta = -pi/2, from its crossings on this line. */
+static int winding_at_start(const struct rl_lines *lines, const struct line *line,
+                            const struct rl_seen_polygon *polygon, const struct rl_crossing *crossing,
+                            size_t n)
+{
+    if (lines->attenuation)
+        return 0; /* below the horizon */
+    /* At delta = 0 the line passes the mirror direction, of which it is known how many polygons it hits. Where an edge lies
+     * too near to tell on which side of it that is, the direction at delta = -pi/2 itself is asked about, which all that is
+     * left of a mesh cannot answer. */
+    int before_mirror = 0;
+    double nearest = polygon->mirror_on_edge ? 0.0 : 1.0;
+    for (size_t i = 0; i < n; i++) {
+        nearest = fmin(nearest, fabs(crossing[i].normal.s));
+        before_mirror += crossing[i].normal.s < 0.0 ? crossing[i].sign : 0;
+    }
+    if (nearest > near_mirror)
+        return polygon->mirror_winding - before_mirror;
+    if (lines->merged)
+        return least_winding(crossing, n);
+    rl_vec3 L = {line->cos_theta * line->v_t + line->sin_theta * line->v_b,
+                 line->sin_theta * line->v_t - line->cos_theta * line->v_b, -line->v_n};
+    return rl_lines_hit(lines, polygon, L);
 }
 
 /* Shell sort with Ciura's gaps: crossings are few, and arrive nearly in order. */
@@ -343,8 +360,8 @@ static void sweep_line(struct sweep *sweep)
         struct rl_seen_polygon *polygon = &lines->polygon[i];
         size_t more = cross_polygon(crossing + n, lines, sweep->line, polygon);
         polygon->winding = 0;
-        n_active =
-            wind(lines->active, n_active, polygon, winding_at_start(lines, polygon, crossing + n, more));
+        n_active = wind(lines->active, n_active, polygon,
+                        winding_at_start(lines, sweep->line, polygon, crossing + n, more));
         n += more;
     }
     if (n == 0 && n_active == 0)

@@ -152,9 +152,22 @@ static signed char facing_of(const struct rl_light_set *set, const struct rl_set
     return distance < 0.0 ? -1 : 1;
 }
 
-/* Adds the polygon's loop of edges; returns how many times the mirror direction hits it. */
-static int see_loop(struct rl_lines *lines, const struct rl_frame *frame, rl_vec3 P, size_t polygon,
-                    rl_vec3 nearness)
+/* Whether L lies on an edge, to within rounding. */
+static bool on_edge(const struct rl_edge *edge, size_t n, rl_vec3 L)
+{
+    static const double near = 1e-9;
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_edge *it = &edge[i];
+        if (fabs(v3_dot(it->m, L)) < near && v3_dot(v3_cross(it->m, it->start), L) > -near &&
+            v3_dot(v3_cross(it->m, it->end), L) < near && v3_dot(v3_add(it->start, it->end), L) > 0.0)
+            return true;
+    }
+    return false;
+}
+
+/* Adds the polygon's loop of edges to what is seen. */
+static void see_loop(struct rl_lines *lines, struct rl_seen_polygon *seen, const struct rl_frame *frame,
+                     rl_vec3 P, size_t polygon)
 {
     size_t first = lines->n_edges;
     struct corner start = corner(lines, polygon, frame, P, 0), from = start;
@@ -166,14 +179,17 @@ static int see_loop(struct rl_lines *lines, const struct rl_frame *frame, rl_vec
     struct rl_edge *edge = &lines->edge[first];
     size_t n = lines->n_edges - first;
     close_loop(edge, n);
-    bool hit = !lines->attenuation && hits(edge, n, nearness, v3(-lines->v_x, -lines->v_y, lines->v_n));
+    if (!lines->attenuation) {
+        rl_vec3 mirror = v3(-lines->v_x, -lines->v_y, lines->v_n);
+        seen->mirror_winding += hits(edge, n, seen->nearness, mirror);
+        seen->mirror_on_edge = seen->mirror_on_edge || on_edge(edge, n, mirror);
+    }
     if (lines->merged) {
         lines->n_edges = first;
         for (size_t i = 0; i < n; i++)
             if (!edge[i].inner)
                 lines->edge[lines->n_edges++] = edge[i];
     }
-    return hit;
 }
 
 static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl_vec3 P, size_t polygon)
@@ -187,7 +203,7 @@ static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl
         *seen = (struct rl_seen_polygon){.first = lines->n_edges, .radiance = it->radiance};
     double distance = v3_dot(it->normal, v3_sub(set->vertex[it->first], P));
     seen->nearness = v3_scale(1.0 / distance, to_frame(frame, it->normal));
-    seen->mirror_winding += see_loop(lines, frame, P, polygon, seen->nearness);
+    see_loop(lines, seen, frame, P, polygon);
     seen->n = lines->n_edges - seen->first;
     if (seen->n > 0 || seen->mirror_winding > 0)
         lines->n_polygons = lines->merged ? 1 : lines->n_polygons + 1;
@@ -220,12 +236,17 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         see_polygon(lines, &frame, surface->P, i);
 }
 
+bool rl_lines_hit(const struct rl_lines *lines, const struct rl_seen_polygon *polygon, rl_vec3 L)
+{
+    return hits(&lines->edge[polygon->first], polygon->n, polygon->nearness, L);
+}
+
 double rl_lines_nearness(const struct rl_lines *lines, rl_vec3 L)
 {
     double most = 0.0;
     for (size_t i = 0; i < lines->n_polygons; i++) {
         const struct rl_seen_polygon *polygon = &lines->polygon[i];
-        if (hits(&lines->edge[polygon->first], polygon->n, polygon->nearness, L))
+        if (rl_lines_hit(lines, polygon, L))
             most = fmax(most, v3_dot(polygon->nearness, L));
     }
     return most;

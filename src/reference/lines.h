@@ -38,11 +38,12 @@ struct rl_edge {
 /* A polygon; or, where all lights have one radiance and it does not matter which of them is nearest, all polygons together. Of those,
  * edges between two that face the same way are left out: what remains of a mesh is its outline. */
 struct rl_seen_polygon {
-    size_t first, n;    /* edges; their ends form closed loops */
-    size_t radiance;    /* index in the set */
-    rl_vec3 nearness;   /* of a single polygon: 1/distance in direction L is nearness.L */
-    int mirror_winding; /* how many polygons the mirror direction hits; only without attenuation */
-    int winding;        /* scratch of a line */
+    size_t first, n;     /* edges; their ends form closed loops */
+    size_t radiance;     /* index in the set */
+    rl_vec3 nearness;    /* of a single polygon: 1/distance in direction L is nearness.L */
+    int mirror_winding;  /* how many polygons the mirror direction hits; only without attenuation */
+    bool mirror_on_edge; /* it lies so near to an edge that this is rounding */
+    int winding;         /* scratch of a line */
 };
 
 /* What a place on a line is the crossing of, whatever line it is: the great circle m, upwards (+1: b.L grows along m x L) or downwards
@@ -102,6 +103,9 @@ size_t rl_lines_size(const struct rl_light_set *set);
 void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface *surface,
                    const struct rl_ellipsoid *e, const struct rl_light_set *set,
                    const struct rl_integrate_options *options);
+
+/* Whether direction L, in the frame, hits this polygon; not for several in one. */
+bool rl_lines_hit(const struct rl_lines *lines, const struct rl_seen_polygon *polygon, rl_vec3 L);
 
 /* 1/distance to the light hit first in direction L, in the frame; 0 if none is. */
 double rl_lines_nearness(const struct rl_lines *lines, rl_vec3 L);
