@@ -233,8 +233,17 @@ static bool always(const struct rl_lines *lines, rl_vec3 L)
  * back at the other. Both are at N.L = -N.V. D is 0 there, so that the second derivative jumps. */
 static size_t end_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
 {
+    static const double near = 1e-7;
     struct arc arc = arc_of(edge);
-    return plane_breaks(breaks, lines, &arc, v3(0.0, 0.0, 1.0), -lines->v_n, always);
+    size_t n = plane_breaks(breaks, lines, &arc, v3(0.0, 0.0, 1.0), -lines->v_n, always);
+    /* A crossing at -V, where all lines go, does so where V has no part along the line. */
+    rl_vec3 V = v3(lines->v_x, lines->v_y, lines->v_n);
+    if (fabs(v3_dot(edge->m, V)) < near && v3_dot(v3_add(edge->start, edge->end), V) < near)
+        breaks[n++] = (struct rl_break){
+            .theta = rl_line_azimuth(-lines->v_y, lines->v_x),
+            .kind = RL_BREAK_KINK,
+        };
+    return n;
 }
 
 static size_t kink_breaks(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge)
