@@ -273,7 +273,7 @@ size_t rl_breaks_most(const struct rl_light_set *set)
     return 2 + RL_BREAKS_OF_EDGE * rl_lines_edges_most(set) + rl_overlap_breaks_most(set);
 }
 
-size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
+size_t rl_breaks_find(struct rl_break *breaks, bool *complete, const struct rl_lines *lines)
 {
     size_t n = lines->attenuation ? zone_breaks(breaks, lines) : 0;
     for (size_t i = 0; i < lines->n_polygons; i++) {
@@ -281,5 +281,6 @@ size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines)
         for (size_t j = 0; j < lines->polygon[i].n; j++)
             n += rl_breaks_of_edge(breaks + n, lines, &edge[j]);
     }
-    return n + rl_overlap_breaks(breaks + n, lines);
+    *complete = true;
+    return lines->set->n_polygons > 1 ? n + rl_overlap_breaks(breaks + n, complete, lines) : n;
 }

@@ -8,8 +8,8 @@
  *   - masking's zone on the line opens, |v_t| = v_N: the third does;
  *   - without attenuation, the place where the line crosses an edge passes from one end of the line to the other, N.L = -N.V: the
  *     second derivative jumps;
- *   - the line passes where edges of two polygons cross, seen from P, or where an edge passes through another polygon's plane: what
- *     hides what changes there.
+ *   - the line passes where edges of two polygons cross, seen from P, or where one polygon passes through another: what hides what
+ *     changes there. The seam along which it does is an edge like any other.
  */
 #ifndef RL_REFERENCE_BREAKS_H
 #define RL_REFERENCE_BREAKS_H
@@ -37,12 +37,13 @@ enum { RL_BREAKS_OF_EDGE = 13 };
 /* Those of one edge: at most RL_BREAKS_OF_EDGE. */
 size_t rl_breaks_of_edge(struct rl_break *breaks, const struct rl_lines *lines, const struct rl_edge *edge);
 
-/* Fills the breaks, in no order and some perhaps twice; returns how many. */
-size_t rl_breaks_find(struct rl_break *breaks, const struct rl_lines *lines);
+/* Fills the breaks, in no order and some perhaps twice; returns how many. *complete: false where so many pairs of polygons cross that
+ * some breaks were left out. */
+size_t rl_breaks_find(struct rl_break *breaks, bool *complete, const struct rl_lines *lines);
 
 /* Its part that looks at pairs of polygons (overlap.c). */
 size_t rl_overlap_breaks_most(const struct rl_light_set *set);
-size_t rl_overlap_breaks(struct rl_break *breaks, const struct rl_lines *lines);
+size_t rl_overlap_breaks(struct rl_break *breaks, bool *complete, const struct rl_lines *lines);
 
 /* Where a line's circle touches the great circle m, whatever part of that is an edge: up to two, as RL_BREAK_ROOT, and where those two
  * nearly coincide, a RL_BREAK_KINK. */

@@ -102,9 +102,12 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
                             const struct rl_integrate_options *options)
 {
     const struct rl_light_set *set = job->lines.set;
-    size_t n = rl_breaks_find(job->breaks, &job->lines);
+    bool complete;
+    size_t n = rl_breaks_find(job->breaks, &complete, &job->lines);
     if (options->occlusion)
         n += rl_occlusion_breaks(job->breaks + n, options->occlusion, &job->lines);
+    if (!complete)
+        job->batch = NULL;
     n = rl_panels_between(job->panel, job->breaks, n);
     memset(job->trace, 0, n * sizeof *job->trace);
     /* A little is left for rounding, which comes on top: mostly less than this many units of the brightest light. */
@@ -113,7 +116,7 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
     const struct rl_quadrature_options quadrature = {
         .tolerance = RL_PI * fmax(0.5 * tolerance, 0.99 * tolerance - rounding * set->brightest),
         .max_evaluations = options->max_evaluations,
-        .wary = options->occlusion != NULL,
+        .wary = options->occlusion != NULL || !complete,
         .controlled = set->grey ? 1 : 3,
     };
     struct rl_quadrature_result result;

@@ -236,6 +236,24 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         see_polygon(lines, &frame, surface->P, i);
 }
 
+struct rl_edge rl_edge_between(const struct rl_lines *lines, rl_vec3 m, rl_vec3 start, rl_vec3 end)
+{
+    rl_vec3 from = v3_cross(m, start), to = v3_cross(m, end);
+    return (struct rl_edge){
+        .m = m,
+        .start = start,
+        .end = end,
+        .q_x = lines->v_x + start.x,
+        .q_y = lines->v_y + start.y,
+        .next_x = lines->v_x + end.x,
+        .next_y = lines->v_y + end.y,
+        .from_x = from.x,
+        .from_y = from.y,
+        .to_x = to.x,
+        .to_y = to.y,
+    };
+}
+
 bool rl_lines_hit(const struct rl_lines *lines, const struct rl_seen_polygon *polygon, rl_vec3 L)
 {
     return hits(&lines->edge[polygon->first], polygon->n, polygon->nearness, L);

@@ -3,12 +3,31 @@
 
 #include <stdlib.h>
 
-enum { MORE = 64 };
+enum { MORE = 128, SEAMS_MOST = 64, SEAM_ENDS_MOST = 64 };
 
 size_t rl_overlap_breaks_most(const struct rl_light_set *set)
 {
-    return set->n_polygons > 1 ? 4 * rl_lines_edges_most(set) + MORE : 0;
+    return set->n_polygons > 1 ? 8 * rl_lines_edges_most(set) + MORE : 0;
 }
+
+/* Breaks as they are found; `complete` until there is no room for one. */
+struct found {
+    const struct rl_lines *lines;
+    struct rl_break *breaks;
+    size_t n, most;
+    bool complete;
+};
+
+/* Where one polygon passes through another: an arc of the great circle on which both are equally near. */
+struct seam {
+    struct rl_edge edge;
+    const struct rl_seen_polygon *a, *b;
+};
+
+struct seams {
+    size_t n;
+    struct seam seam[SEAMS_MOST];
+};
 
 /* An edge as an arc between two unit directions, less than half a turn. */
 struct arc {
@@ -33,13 +52,15 @@ static rl_vec3 meeting(rl_vec3 m, const struct arc *arc)
     return v3_dot(L, v3_add(arc->from, arc->to)) < 0.0 ? v3_scale(-1.0, L) : L;
 }
 
-static void add(struct rl_break *breaks, size_t *n, const struct rl_lines *lines, rl_vec3 L)
+static void add(struct found *found, rl_vec3 L)
 {
-    if (*n < rl_overlap_breaks_most(lines->set))
-        breaks[(*n)++] = (struct rl_break){
-            .theta = rl_line_azimuth(lines->v_x + L.x, lines->v_y + L.y),
+    if (found->n < found->most)
+        found->breaks[found->n++] = (struct rl_break){
+            .theta = rl_line_azimuth(found->lines->v_x + L.x, found->lines->v_y + L.y),
             .kind = RL_BREAK_KINK,
         };
+    else
+        found->complete = false;
 }
 
 static bool same(rl_vec3 a, rl_vec3 b)
@@ -52,61 +73,100 @@ static bool joined(const struct arc *a, const struct arc *b)
     return same(a->from, b->from) || same(a->from, b->to) || same(a->to, b->from) || same(a->to, b->to);
 }
 
-static void arcs_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines, const struct arc *a,
-                       const struct arc *b)
+static void arcs_cross(struct found *found, const struct arc *a, const struct arc *b)
 {
     if (!parted(a->m, b) || !parted(b->m, a) || joined(a, b))
         return;
     rl_vec3 L = meeting(a->m, b);
     if (v3_dot(L, v3_add(a->from, a->to)) > 0.0)
-        add(breaks, n, lines, L);
+        add(found, L);
 }
 
-/* Whether the great circle m has vertices of the polygon on both sides. */
-static bool divides(const struct rl_lines *lines, rl_vec3 m, const struct rl_seen_polygon *polygon)
+/* Where the great circle m meets the polygon's edges. */
+static size_t seam_ends(rl_vec3 end[], size_t n, const struct rl_lines *lines, rl_vec3 m,
+                        const struct rl_seen_polygon *polygon)
 {
-    for (size_t i = 0; i < polygon->n; i++) {
+    for (size_t i = 0; i < polygon->n && n < SEAM_ENDS_MOST; i++) {
         struct arc arc = arc_of(lines, polygon, i);
         if (parted(m, &arc))
-            return true;
+            end[n++] = meeting(m, &arc);
     }
-    return false;
+    return n;
 }
 
-/* On the great circle where both polygons are equally near they change places: where it meets an edge, and where a line touches it. */
-static void planes_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines,
-                         const struct rl_seen_polygon *a, const struct rl_seen_polygon *b)
+/* Sorts directions on the great circle m by their angle from the first; all lie within half a turn. */
+static void sort_along(rl_vec3 end[], size_t n, rl_vec3 m)
 {
-    const struct rl_seen_polygon *const both[] = {a, b};
-    rl_vec3 m = v3_normalize(v3_sub(a->nearness, b->nearness));
-    if (a->radiance == b->radiance || !divides(lines, m, a) || !divides(lines, m, b))
-        return;
-    for (int k = 0; k < 2; k++)
-        for (size_t i = 0; i < both[k]->n; i++) {
-            struct arc arc = arc_of(lines, both[k], i);
-            if (parted(m, &arc))
-                add(breaks, n, lines, meeting(m, &arc));
-        }
-    struct rl_break touch[RL_TOUCHES_MOST];
-    size_t n_touch = rl_touch_breaks(touch, lines, m);
-    for (size_t i = 0; i < n_touch && *n < rl_overlap_breaks_most(lines->set); i++)
-        breaks[(*n)++] = (struct rl_break){
-            .theta = touch[i].theta,
-            .kind = touch[i].kind == RL_BREAK_ROOT ? RL_BREAK_TOUCH : touch[i].kind,
-        };
+    rl_vec3 across = v3_cross(m, end[0]), origin = end[0];
+    for (size_t i = 1; i < n; i++) {
+        rl_vec3 moved = end[i];
+        double angle = atan2(v3_dot(moved, across), v3_dot(moved, origin));
+        size_t at = i;
+        for (; at > 0 && atan2(v3_dot(end[at - 1], across), v3_dot(end[at - 1], origin)) > angle; at--)
+            end[at] = end[at - 1];
+        end[at] = moved;
+    }
 }
 
-static void polygons_cross(struct rl_break *breaks, size_t *n, const struct rl_lines *lines,
-                           const struct rl_seen_polygon *a, const struct rl_seen_polygon *b)
+/* Adds the seams of a pair: the parts of the circle of equal nearness that lie on both. */
+static void find_seams(struct seams *seams, struct found *found, const struct rl_seen_polygon *a,
+                       const struct rl_seen_polygon *b)
+{
+    const struct rl_lines *lines = found->lines;
+    rl_vec3 m = v3_normalize(v3_sub(a->nearness, b->nearness)), end[SEAM_ENDS_MOST];
+    if (a->radiance == b->radiance || !(v3_dot(m, m) > 0.0))
+        return;
+    size_t of_a = seam_ends(end, 0, lines, m, a), n = seam_ends(end, of_a, lines, m, b);
+    if (of_a == 0 || of_a == n)
+        return;
+    found->complete = found->complete && n < SEAM_ENDS_MOST;
+    sort_along(end, n, m);
+    for (size_t i = 0; i + 1 < n; i++) {
+        rl_vec3 middle = v3_normalize(v3_add(end[i], end[i + 1]));
+        if (!rl_lines_hit(lines, a, middle) || !rl_lines_hit(lines, b, middle))
+            continue;
+        if (seams->n == SEAMS_MOST)
+            found->complete = false;
+        else
+            seams->seam[seams->n++] = (struct seam){rl_edge_between(lines, m, end[i], end[i + 1]), a, b};
+    }
+}
+
+/* A seam breaks as an edge does; and where a third polygon's edge or another seam crosses it, what is in front changes. */
+static void seam_breaks(struct found *found, const struct seams *seams, size_t index)
+{
+    const struct rl_lines *lines = found->lines;
+    const struct seam *seam = &seams->seam[index];
+    struct arc arc = {seam->edge.m, seam->edge.start, seam->edge.end};
+    if (found->n + RL_BREAKS_OF_EDGE <= found->most)
+        found->n += rl_breaks_of_edge(found->breaks + found->n, lines, &seam->edge);
+    else
+        found->complete = false;
+    add(found, seam->edge.end);
+    for (size_t p = 0; p < lines->n_polygons; p++)
+        for (size_t i = 0; i < lines->polygon[p].n; i++) {
+            struct arc edge = arc_of(lines, &lines->polygon[p], i);
+            if (&lines->polygon[p] != seam->a && &lines->polygon[p] != seam->b)
+                arcs_cross(found, &arc, &edge);
+        }
+    for (size_t i = 0; i < index; i++) {
+        const struct rl_edge *other = &seams->seam[i].edge;
+        struct arc edge = {other->m, other->start, other->end};
+        arcs_cross(found, &arc, &edge);
+    }
+}
+
+static void polygons_cross(struct found *found, struct seams *seams, const struct rl_seen_polygon *a,
+                           const struct rl_seen_polygon *b)
 {
     for (size_t i = 0; i < a->n; i++) {
-        struct arc one = arc_of(lines, a, i);
+        struct arc one = arc_of(found->lines, a, i);
         for (size_t j = 0; j < b->n; j++) {
-            struct arc other = arc_of(lines, b, j);
-            arcs_cross(breaks, n, lines, &one, &other);
+            struct arc other = arc_of(found->lines, b, j);
+            arcs_cross(found, &one, &other);
         }
     }
-    planes_cross(breaks, n, lines, a, b);
+    find_seams(seams, found, a, b);
 }
 
 /* Of edges i0 .. i0 + n - 1: between which x their directions lie. An arc bulges over its chord c by 1 - sqrt(1 - c^2/4) <= c^2/4 at
@@ -132,13 +192,13 @@ static int by_low(const void *a, const void *b)
 }
 
 /* Every pair whose extents in x overlap, which of a mesh's small pieces are few. */
-size_t rl_overlap_breaks(struct rl_break *breaks, const struct rl_lines *lines)
+size_t rl_overlap_breaks(struct rl_break *breaks, bool *complete, const struct rl_lines *lines)
 {
-    if (lines->set->n_polygons < 2)
-        return 0;
+    struct found found = {lines, breaks, 0, rl_overlap_breaks_most(lines->set), true};
+    struct seams seams = {.n = 0};
     struct rl_extent *extent = lines->extent;
     const struct rl_seen_polygon *polygon = lines->polygon;
-    size_t n = 0, n_items = lines->merged ? lines->n_edges : lines->n_polygons;
+    size_t n_items = lines->merged ? lines->n_edges : lines->n_polygons;
     for (size_t i = 0; i < n_items; i++)
         extent[i] = lines->merged ? extent_of(&lines->edge[i], 1, i)
                                   : extent_of(&lines->edge[polygon[i].first], polygon[i].n, i);
@@ -148,9 +208,12 @@ size_t rl_overlap_breaks(struct rl_break *breaks, const struct rl_lines *lines)
             if (lines->merged) {
                 struct arc a = arc_of(lines, polygon, extent[i].index),
                            b = arc_of(lines, polygon, extent[j].index);
-                arcs_cross(breaks, &n, lines, &a, &b);
+                arcs_cross(&found, &a, &b);
             } else {
-                polygons_cross(breaks, &n, lines, &polygon[extent[i].index], &polygon[extent[j].index]);
+                polygons_cross(&found, &seams, &polygon[extent[i].index], &polygon[extent[j].index]);
             }
-    return n;
+    for (size_t i = 0; i < seams.n; i++)
+        seam_breaks(&found, &seams, i);
+    *complete = found.complete;
+    return found.n;
 }

@@ -80,7 +80,9 @@ static void test_side_by_side(void **state)
         struct rl_break *breaks = calloc(rl_breaks_most(v.set) + 1, sizeof *breaks);
         struct rl_panel *panel = calloc(rl_breaks_most(v.set) + 1, sizeof *panel);
         struct rl_stretch *stretch = calloc(2 * rl_lines_edges_most(v.set) + 2, sizeof *stretch);
-        size_t n = rl_panels_between(panel, breaks, rl_breaks_find(breaks, &v.lines));
+        bool complete;
+        size_t n = rl_panels_between(panel, breaks, rl_breaks_find(breaks, &complete, &v.lines));
+        assert_true(complete);
         for (int simd = RL_SIMD_PLAIN; simd <= (int)rl_simd_best(); simd++) {
             rl_batch_function *batch = rl_batch_for(&v.lines, (enum rl_simd)simd);
             for (size_t j = 0; j < n && batch; j++) {

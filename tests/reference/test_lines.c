@@ -195,7 +195,9 @@ static void test_breaks(void **state)
         struct view v;
         view_make(&v, s, pow(10.0, uniform(&d, 0.0, 0.7)), shape, radiance, i < 70 ? 1 : 2, i % 2);
         struct rl_break *breaks = malloc((rl_breaks_most(v.set) + 1) * sizeof *breaks);
-        size_t n = rl_breaks_find(breaks, &v.lines);
+        bool complete;
+        size_t n = rl_breaks_find(breaks, &complete, &v.lines);
+        assert_true(complete);
         assert_true(n <= rl_breaks_most(v.set));
         qsort(breaks, n, sizeof *breaks, ascending);
         for (size_t j = 0; j + 1 < n; j++) {
