@@ -54,33 +54,49 @@ static int parse_list(struct rl_axis *axis, const char *list, struct rl_error *e
     }
 }
 
-/* FROM:TO:logN, both ends included. */
+/* A number at *text, which moves behind it and the character that has to follow; false if that is not what is there. */
+static bool take_number(const char **text, char follows, double *value)
+{
+    char *end;
+    *value = strtod(*text, &end);
+    if (end == *text || *end != follows || !isfinite(*value))
+        return false;
+    *text = end + (follows != '\0');
+    return true;
+}
+
+/* Values from `from` to `to`, both included. */
+static void fill_range(struct rl_axis *axis, double from, double to, size_t n, bool logarithmic)
+{
+    axis->range = true;
+    axis->n = n;
+    for (size_t i = 0; i < n; i++) {
+        double t = (double)i / (double)(n - 1);
+        double value = logarithmic ? from * pow(to / from, t) : from + t * (to - from);
+        snprintf(axis->value[i], RL_AXIS_VALUE_LENGTH, "%.6g", i == 0 ? from : i == n - 1 ? to : value);
+    }
+}
+
+/* FROM:TO:logN */
 static int parse_range(struct rl_axis *axis, const char *range, struct rl_error *error)
 {
-    double from, to;
-    char kind[4];
-    int n, used = 0;
-    if (sscanf(range, "%lf:%lf:%3[a-z]%d%n", &from, &to, kind, &n, &used) != 4 || range[used] != '\0' ||
-        !isfinite(from) || !isfinite(to))
+    double from, to, n;
+    const char *at = range;
+    if (!take_number(&at, ':', &from) || !take_number(&at, ':', &to))
         return fail_form(error, axis->text);
-    bool logarithmic = strcmp(kind, "log") == 0;
-    if (!logarithmic && strcmp(kind, "lin") != 0)
+    bool logarithmic = strncmp(at, "log", 3) == 0;
+    if (!logarithmic && strncmp(at, "lin", 3) != 0)
         return fail_form(error, axis->text);
-    if (n < 2 || n > RL_AXIS_VALUES_MAX)
-        return rl_fail(error, RL_ERR_INPUT, "--axis %s: found %s%d, expected 2 to %d values", axis->name,
-                       kind, n, RL_AXIS_VALUES_MAX);
+    at += 3;
+    if (!take_number(&at, '\0', &n) || n != floor(n))
+        return fail_form(error, axis->text);
+    if (n < 2.0 || n > RL_AXIS_VALUES_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "--axis %s: found %.0f values, expected 2 to %d", axis->name, n,
+                       RL_AXIS_VALUES_MAX);
     if (logarithmic && !(from > 0.0 && to > 0.0))
         return rl_fail(error, RL_ERR_INPUT, "--axis %s: found '%.60s', expected ends above 0 for log",
                        axis->name, range);
-    axis->range = true;
-    for (int i = 0; i < n; i++) {
-        double t = (double)i / (n - 1);
-        double value = logarithmic ? from * pow(to / from, t) : from + t * (to - from);
-        snprintf(axis->value[axis->n++], RL_AXIS_VALUE_LENGTH, "%.6g",
-                 i == 0       ? from
-                 : i == n - 1 ? to
-                              : value);
-    }
+    fill_range(axis, from, to, (size_t)n, logarithmic);
     return RL_OK;
 }
 

@@ -1,4 +1,5 @@
 /* `roughlight study run`: measures studies. */
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,16 +52,27 @@ static int take_axes(struct request *r, const struct rl_arguments *a, struct rl_
     return status;
 }
 
+/* A whole number from 1 on at *text, which moves behind it; 0 if there is none. */
+static int take_count(const char **text)
+{
+    char *end;
+    long value = isdigit((unsigned char)**text) ? strtol(*text, &end, 10) : 0;
+    if (value < 1 || value > INT_MAX)
+        return 0;
+    *text = end;
+    return (int)value;
+}
+
 /* --shard i/n */
 static int take_shard(struct rl_run_options *run, const struct rl_arguments *a, struct rl_error *error)
 {
-    const char *text = rl_argument(a, "shard");
-    int used = 0;
+    const char *text = rl_argument(a, "shard"), *at = text;
     if (!text)
         return RL_OK;
-    if (strspn(text, "0123456789/") == strlen(text) &&
-        sscanf(text, "%5d/%5d%n", &run->shard, &run->n_shards, &used) == 2 && text[used] == '\0' &&
-        run->shard >= 1 && run->shard <= run->n_shards)
+    run->shard = take_count(&at);
+    if (run->shard > 0 && *at++ == '/')
+        run->n_shards = take_count(&at);
+    if (run->n_shards >= 1 && run->shard <= run->n_shards && *at == '\0')
         return RL_OK;
     return rl_fail(error, RL_ERR_INPUT, "--shard: found '%.40s', expected I/N with 1 <= I <= N", text);
 }
@@ -156,6 +168,8 @@ static void print_sum(const struct rl_forecast *sum)
 
 static int dry_run(const struct request *r, enum rl_output format, struct rl_error *error)
 {
+    static const char *const column[] = {"study",   "scene",         "parameters",   "group",    "state",
+                                         "measure", "group_seconds", "seconds_from", "identity", NULL};
     struct rl_bench bench = {0};
     struct rl_rows rows;
     struct rl_forecast sum = {0};
@@ -168,9 +182,7 @@ static int dry_run(const struct request *r, enum rl_output format, struct rl_err
         if (status != RL_OK)
             break;
         if (i == 0)
-            rl_rows_begin(&rows, format,
-                          (const char *[]){"study", "scene", "parameters", "group", "state", "measure",
-                                           "group_seconds", "seconds_from", "identity", NULL});
+            rl_rows_begin(&rows, format, column);
         print_forecast(&rows, &f);
         sum.n_wanted += f.n_wanted;
         sum.n_open += f.n_open;

@@ -80,6 +80,7 @@ if $nobody "$rl" study list >/dev/null 2>&1; then
     # shellcheck disable=SC2086
     refused "a file that may not be written to" "/read-only/r.db: cannot open for writing: Permission denied" $nobody "$rl" study run $small --db "$tmp/read-only/r.db"
     check "which may be read" sh -c "$nobody '$rl' study status --db '$tmp/read-only/r.db' | grep -q '^samples'"
+    # shellcheck disable=SC2086
     refused "a folder that may not be made" "/read-only/new.*Permission denied" $nobody "$rl" study export --db "$tmp/read-only/r.db" -o "$tmp/read-only/new"
     check "which is as it was" cmp -s "$tmp/good.db" "$tmp/read-only/r.db"
 else
@@ -92,6 +93,7 @@ chmod 755 "$tmp/read-only"
 cp "$tmp/good.db" "$tmp/locked.db"
 "$rl" study run samples --full --scene sphere-quad --db "$tmp/locked.db" 2>/dev/null &
 writer=$!
+# shellcheck disable=SC2034
 for attempt in $(seq 200); do
     "$rl" study status --db "$tmp/locked.db" 2>/dev/null | grep -q "^samples${tab}full" && break
     sleep 0.1

@@ -102,6 +102,7 @@ check "with the same results" cmp -s "$tmp/before.tsv" "$tmp/tables/samples.tsv"
 
 mkdir "$tmp/f"
 echo "in the way of the folder for references" >"$tmp/f/cache"
+# shellcheck disable=SC2086
 failing() { exits 3 "$rl" study run $small --db "$tmp/f/results.db" "$@"; }
 check "cases that fail: exit code 3" failing
 check "each is named with the reason" [ "$(grep -c 'failed: samples teapot-star series=.*cache' "$tmp/stderr")" -eq 12 ]

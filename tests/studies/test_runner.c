@@ -241,7 +241,7 @@ static void test_axis(void **state)
     assert_true(o.planned == 4 && o.measured == 4);
     assert_true(script.measured[0] == 0 && script.measured[2] == 1 && script.measured[4] == 1);
     struct rl_run loaded;
-    struct rl_claim claim;
+    struct rl_claim claim = {0};
     load(&loaded);
     rl_claim_source(&claim, &loaded, "sphere-quad");
     assert_string_equal(claim.command,
@@ -298,7 +298,7 @@ static void test_without_a_scene(void **state)
     assert_string_equal(rl_run_scene(&loaded, 2), "teapot-star");
     assert_null(rl_run_scene(&loaded, 3));
     assert_int_equal(loaded.record[11].group, 5);
-    struct rl_claim claim;
+    struct rl_claim claim = {0};
     rl_claim_source(&claim, &loaded, RL_NO_SCENE);
     assert_string_equal(claim.command, "roughlight study run made-up --quick");
     rl_claim_source(&claim, &loaded, "sphere-quad");
