@@ -37,7 +37,9 @@ if (figure eq "map") {
     set border 15
     set samples 2881
     # On the curve of width w of small angles |n_x| = sqrt(1 - w^2).
-    curve(x, w) = sqrt(1 - w * w) <= abs(cos(rad(x))) ? acos(sqrt(1 - w * w) / abs(cos(rad(x)))) * 180.0 / pi : NaN
+    # Beside its ends it is 0, so that the halves meet between two samples.
+    cosine(x, w) = sqrt(1 - w * w) / abs(cos(rad(x)))
+    curve(x, w) = cosine(x, w) <= 1 ? acos(cosine(x, w)) * 180.0 / pi : cosine(x, w) < 1.005 ? 0 : NaN
     set key maxcols 3
     plot raw using (of_frame("map") ? longitude(column("index")) : NaN):(latitude(column("index"))):"value" with image notitle, \
         for [k = 1:3] curve(x, 1 - 0.25 * k) with lines linetype 2 dashtype k linewidth 1.4 title sprintf("width %g by the formula", 1 - 0.25 * k), \

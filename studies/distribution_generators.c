@@ -261,7 +261,7 @@ static int measure_point(struct rl_record *r, struct model *m, struct rl_setting
     double seeds = rl_parameter_number(r->parameters, "seeds");
     if (!(seeds >= 2.0 && seeds <= SEEDS_MAX))
         return rl_fail(error, RL_ERR_INPUT, "seeds=%g: expected 2 to %d", seeds, SEEDS_MAX);
-    struct rl_estimate truth;
+    struct rl_estimate truth = {0};
     int status = integrate(&truth, m, v3(0.0, 0.0, 0.0), error);
     size_t n = (size_t)seeds;
     for (size_t k = 0; k < n && status == RL_OK; k++) {
@@ -279,7 +279,7 @@ static int measure_patch(struct rl_record *r, struct model *m, struct rl_setting
     size_t n = (size_t)m->size * (size_t)m->size;
     int status = RL_OK;
     if (rl_parameters_match(r->parameters, "generator=reference")) {
-        struct rl_estimate truth;
+        struct rl_estimate truth = {0};
         for (int i = 0; i < (int)n && status == RL_OK; i++) {
             status = integrate(&truth, m, point_at(m, i % m->size, i / m->size), error);
             value[i] = truth.value[0];

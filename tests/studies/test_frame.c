@@ -165,7 +165,7 @@ static void measure_all(struct rl_run *run, struct rl_bench *bench, const struct
 static void what_is_known_is_measured(void **state)
 {
     (void)state;
-    struct temporary folder;
+    struct temporary folder = {0};
     char cache[PATH_MAX];
     struct rl_bench bench;
     struct rl_scene scene = {0};
