@@ -134,8 +134,9 @@ static int add_map(struct rl_record *r, const struct sampling *s, size_t columns
     if (!map)
         return rl_fail_memory(error, "a map");
     for (size_t i = 0; i < rows * columns; i++) {
-        double latitude = RL_PI * (((double)(i / columns) + 0.5) / (double)rows - 0.5);
-        double longitude = 2.0 * RL_PI * (((double)(i % columns) + 0.5) / (double)columns - 0.5);
+        size_t row = i / columns, column = i % columns;
+        double latitude = RL_PI * (((double)row + 0.5) / (double)rows - 0.5);
+        double longitude = 2.0 * RL_PI * (((double)column + 0.5) / (double)columns - 0.5);
         rl_vec3 N = v3(cos(latitude) * cos(longitude), cos(latitude) * sin(longitude), sin(latitude));
         map[i] = ratio_at(s, N, POINTS_MAX + i).median;
     }
