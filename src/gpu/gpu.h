@@ -64,8 +64,8 @@ int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error
 /* Draws every environment map again, waits; for lights or objects that move. */
 int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
 
-/* Bakes the normal maps again from another seed than the plan has: the next frame is that of a scene
- * made with this seed, at a fraction of the cost. Nothing to do where no method uses one. */
+/* Bakes the normal maps again, from this seed and otherwise as the plan's settings are now, whose normal_bits may have changed: the next
+ * frame is that of a scene made so, at a fraction of the cost. Nothing to do where no method uses a map. */
 int rl_gpu_scene_reseed(struct rl_gpu_scene *gs, uint64_t seed, struct rl_error *error);
 
 /* The last frame as R, G, B, A float. Allocates `image`. */

@@ -1,0 +1,105 @@
+# Figures of the study `bitdepth`, from bitdepth_normals.tsv, bitdepth_regular.tsv, bitdepth_environment.tsv, bitdepth_frame.tsv and bitdepth_time.tsv.
+#
+#   gnuplot -c plots/bitdepth.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
+#
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is normals, regular, formats or time.
+folder = ARG2
+output = ARG3
+figure = ARG4
+scene = ARG5
+load ARG1
+normals = folder . "/bitdepth_normals.tsv"
+regular = folder . "/bitdepth_regular.tsv"
+
+step = 1.0 / 255.0
+here(s) = s eq scene
+# An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
+above_zero(x) = x > 1e-12 ? x : 1e-12
+
+# The largest N: bias is the same at each, but known best there.
+stats normals using (here(strcol("scene")) ? column("samples") : NaN) name "N" nooutput
+stats normals using (here(strcol("scene")) ? column("rr") : NaN) name "RR" nooutput
+stats normals using (here(strcol("scene")) && column("change") > 0 ? column("change") : NaN) name "CHANGE" nooutput
+# Exit status 3 says that there is nothing to draw: not measured, or a scene without a highlight.
+if (figure ne "time" && !exists("CHANGE_max")) { exit status 3 }
+bits(b) = here(strcol("scene")) && strcol("normal_bits") eq b && column("samples") == N_max
+
+if (figure ne "time") {
+    set logscale xy
+    set format y "10^{%L}"
+    set xlabel "R_r, roughness: 1 is the roughest, 1000 nearly a mirror"
+    set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
+    set mxtics 1
+    set xrange [RR_min / 1.15:RR_max * 1.15]
+    set style line 91 linecolor rgb "#c9ced3" linewidth 5 dashtype 1
+}
+
+if (figure eq "normals") {
+    set title "Bias from the bits of the normal map: " . scene
+    set ylabel "RMS bias (full scale 1)"
+    set yrange [1e-4:0.3]
+    set key maxcols 4
+    set bmargin 9
+    names = "4 5 6 8 10 12 16 half"
+    # Not all by colour: more curves than colours.
+    type(i) = i <= 7 ? i : 1
+    plot normals using (bits("float") ? column("rr") : NaN):(0.1 * column("noise_4")) with lines linestyle 91 title "noise/10", \
+        for [i = 1:words(names)] normals using (bits(word(names, i)) && column("bias_high") > 0 ? column("rr") * 1.015 ** (i - 4) : NaN):(above_zero(column("bias"))):(above_zero(column("bias_low"))):"bias_high" \
+            with yerrorbars linetype type(i) dashtype 1 pointtype i + 3 pointsize 0.9 notitle, \
+        for [i = 1:words(names)] normals using (bits(word(names, i)) && column("bias_low") > 0 ? column("rr") * 1.015 ** (i - 4) : NaN):"bias" \
+            with lines linetype type(i) dashtype i notitle, \
+        for [i = 1:words(names)] keyentry with linespoints linetype type(i) dashtype i pointtype i + 3 pointsize 0.9 title word(names, i), \
+        step with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "regular") {
+    set title "8 and 10 bits for random normals and for a pattern: " . scene
+    set ylabel "RMS (full scale 1)"
+    set yrange [1e-4:0.3]
+    pattern(b) = here(strcol("scene")) && strcol("normal_bits") eq b
+    plot normals using (bits("float") ? column("rr") : NaN):(0.1 * column("noise_4")) with lines linestyle 91 title "noise/10", \
+        regular using (pattern("8") ? column("rr") : NaN):"change" with linespoints linetype 2 dashtype 1 title "regular 13, 8 bits", \
+        normals using (bits("8") && column("bias_high") > 0 ? column("rr") : NaN):(above_zero(column("bias"))):(above_zero(column("bias_low"))):"bias_high" \
+            with yerrorlines linetype 1 dashtype 1 title "random, 8 bits", \
+        regular using (pattern("10") ? column("rr") : NaN):"change" with linespoints linetype 6 dashtype 2 title "regular 13, 10 bits", \
+        normals using (bits("10") && column("bias_high") > 0 ? column("rr") : NaN):(above_zero(column("bias"))):(above_zero(column("bias_low"))):"bias_high" \
+            with yerrorlines linetype 7 dashtype 2 title "random, 10 bits", \
+        step with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "formats") {
+    set title "Formats of environment map and frame buffer: " . scene
+    set ylabel "RMS change (full scale 1)"
+    set yrange [1e-7:0.02]
+    set bmargin 10.5
+    names = "rgba8 rgb10a2 r11g11b10f rgba16 rgba16f"
+    one(f, name) = here(strcol("scene")) && f eq name && column("change") > 0
+    plot normals using (bits("float") ? column("rr") : NaN):(0.1 * column("noise_4")) with lines linestyle 91 title "noise/10", \
+        for [i = 1:words(names)] folder . "/bitdepth_environment.tsv" using (one(strcol("env_format"), word(names, i)) ? column("rr") : NaN):"change" \
+            with linespoints linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 notitle, \
+        for [i = 1:words(names)] folder . "/bitdepth_frame.tsv" using (one(strcol("frame_format"), word(names, i)) ? column("rr") : NaN):"change" \
+            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 notitle, \
+        for [i = 1:words(names)] keyentry with linespoints linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title word(names, i), \
+        keyentry with lines linetype 4 dashtype 2 title "dashed: frame buffer", \
+        step with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "time") {
+    data = folder . "/bitdepth_time.tsv"
+    set title "Frame time by the bits of the normal map, 4 random normals: " . scene
+    set ylabel "frame time relative to 8 bits"
+    set xlabel "bits of the normal map"
+    set grid noxtics
+    names = "8-again 4 10 16 half float"
+    place(arm) = words(substr(" " . names . " ", 1, strstrt(" " . names . " ", " " . arm . " ")))
+    other(arm) = here(strcol("scene")) && arm ne "8"
+    stats data using (here(strcol("scene")) && strcol("arm") eq "8-again" ? column("time_to_8_low") : NaN) name "LOW" nooutput
+    stats data using (here(strcol("scene")) && strcol("arm") eq "8-again" ? column("time_to_8_high") : NaN) name "HIGH" nooutput
+    if (!exists("LOW_min")) { exit status 3 }
+    set xrange [-0.6:5.6]
+    set xtics ("8 again" 0, "4" 1, "10" 2, "16" 3, "half" 4, "float" 5)
+    set object 1 rectangle from graph 0, first LOW_min to graph 1, first HIGH_max fillcolor rgb "#e3e6e9" fillstyle solid noborder behind
+    plot data using (other(strcol("arm")) ? place(strcol("arm")) : NaN):"time_to_8":"time_to_8_low":"time_to_8_high" \
+            with yerrorbars linetype 1 pointsize 1.1 linewidth 1.4 title "95 % interval, paired by round", \
+        1 with lines linestyle 90 title "8 bits"
+}

@@ -1,0 +1,186 @@
+/* The claims that the study `bitdepth` judges. */
+#include <math.h>
+#include <stdio.h>
+
+#include "measure/statistics.h"
+#include "studies/bitdepth.h"
+#include "studies/judging.h"
+
+/* "Almost no difference": this share of the noise of 4 random normals, and one step of an 8-bit frame buffer. */
+static const double share_of_noise = 0.1;
+static const double time_slack = 0.05;
+
+/* At the largest N: bias is the same at each, but known best there. */
+static const struct rl_metric *find(const struct rl_judging *j, const char *what, double rr,
+                                    const char *metric)
+{
+    char pattern[256];
+    double samples[RL_AXIS_MAX];
+    snprintf(pattern, sizeof pattern, "%.200s rr=%g", what, rr);
+    size_t n = rl_judging_axis(j, pattern, "samples", samples);
+    if (n == 0)
+        return NULL;
+    snprintf(pattern, sizeof pattern, "%.180s rr=%g samples=%g", what, rr, samples[n - 1]);
+    return rl_judging_metric(j, pattern, metric);
+}
+
+static enum rl_verdict both(enum rl_verdict a, enum rl_verdict b)
+{
+    if (a == RL_VERDICT_FAILS || b == RL_VERDICT_FAILS)
+        return RL_VERDICT_FAILS;
+    return a == RL_VERDICT_HOLDS && b == RL_VERDICT_HOLDS ? RL_VERDICT_HOLDS : RL_VERDICT_INCONCLUSIVE;
+}
+
+/* A metric that is small beside the noise and beside 1/255. Where the highlight has no noise, the first says nothing. */
+struct smallness {
+    const char *text, *what, *metric, *of_noise; /* a NULL: not asked for */
+};
+
+static int claim_small(const struct rl_judging *j, const double *rr, size_t n, const struct smallness *s)
+{
+    struct rl_claim *c = rl_judging_claim(j, s->text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_metric *m = s->metric ? find(j, s->what, rr[i], s->metric) : NULL;
+        const struct rl_metric *ratio = s->of_noise ? find(j, s->what, rr[i], s->of_noise) : NULL;
+        if ((s->metric && !m) || (s->of_noise && !ratio))
+            continue;
+        enum rl_verdict step = m ? rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS) : RL_VERDICT_HOLDS;
+        enum rl_verdict noise =
+            ratio ? rl_verdict_at_most(ratio->low, ratio->high, share_of_noise) : RL_VERDICT_HOLDS;
+        verdict[i] = both(step, noise);
+        const struct rl_metric *shown = ratio ? ratio : m;
+        rl_judging_note(c, rr[i], shown->value);
+        if (rr[i] == rl_central_rr(rr, n))
+            rl_claim_value(c, shown->value, shown->low, shown->high, ratio ? "of the noise" : "RMS");
+    }
+    rl_judging_along(c, rr, verdict, n);
+    return RL_OK;
+}
+
+static int claim_bits(const struct rl_judging *j, const double *rr, size_t n)
+{
+    static const struct smallness row[] = {
+        {"paper: 8 bits (a step of 2/256) make almost no difference: bias below a tenth of the noise at N = "
+         "4 "
+         "and below 1/255",
+         "series=normals normal_bits=8", "bias", "bias_of_noise"},
+        {"ours: of this, the bias of 8-bit normals is below 1/255", "series=normals normal_bits=8", "bias",
+         NULL},
+        {"ours: 6 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
+         "series=normals normal_bits=6", "bias", "bias_of_noise"},
+        {"ours: 10 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
+         "series=normals normal_bits=10", "bias", "bias_of_noise"},
+        {"ours: 12 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
+         "series=normals normal_bits=12", "bias", "bias_of_noise"},
+        {"ours: 16 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
+         "series=normals normal_bits=16", "bias", "bias_of_noise"},
+        {"ours: halves make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
+         "series=normals normal_bits=half", "bias", "bias_of_noise"},
+        {"ours: 13 regular normals rounded to 8 bits change the picture by less than 1/255",
+         "series=regular normal_bits=8", "change", NULL},
+        {"ours: 13 regular normals rounded to 10 bits change the picture by less than 1/255",
+         "series=regular normal_bits=10", "change", NULL},
+        {"paper: an environment map of 8 bits is enough: it changes the picture by less than a tenth of the "
+         "noise at N = 4 and 1/255",
+         "series=environment env_format=rgba8", "change", "change_of_noise"},
+        {"ours: an environment map r11g11b10f changes the picture by less than a tenth of the noise at N = 4 "
+         "and 1/255",
+         "series=environment env_format=r11g11b10f", "change", "change_of_noise"},
+        {"paper: a frame buffer of 8 bits is enough: it changes the picture by less than a tenth of the "
+         "noise "
+         "at N = 4 and 1/255",
+         "series=frame frame_format=rgba8", "change", "change_of_noise"},
+        {"ours: a frame buffer r11g11b10f changes the picture by less than a tenth of the noise at N = 4 and "
+         "1/255",
+         "series=frame frame_format=r11g11b10f", "change", "change_of_noise"},
+    };
+    int status = RL_OK;
+    for (size_t k = 0; k < sizeof row / sizeof row[0] && status == RL_OK; k++)
+        status = claim_small(j, rr, n, &row[k]);
+    return status;
+}
+
+/* The same 8 bits: bias of random against the change that a fixed pattern suffers. */
+static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
+{
+    struct rl_claim *c = rl_judging_claim(j, "ours: 8 bits harm random normals less than a fixed pattern of "
+                                             "13 (ratio of their bias to its change)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_metric *random = find(j, "series=normals normal_bits=8", rr[i], "bias");
+        const struct rl_metric *regular = find(j, "series=regular normal_bits=8", rr[i], "change");
+        if (!regular || !random || !(regular->value > 0.0))
+            continue;
+        struct rl_claim ratio = {0};
+        rl_judging_ratio(&ratio, random, regular, "1");
+        verdict[i] = rl_verdict_at_most(ratio.low, ratio.high, 1.0);
+        rl_judging_note(c, rr[i], ratio.value);
+        if (rr[i] == rl_central_rr(rr, n))
+            rl_claim_value(c, ratio.value, ratio.low, ratio.high, "times");
+    }
+    rl_judging_along(c, rr, verdict, n);
+    return RL_OK;
+}
+
+static struct rl_interval time_ratio(const struct rl_judging *j, const char *arm)
+{
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "series=time arm=%.30s", arm);
+    const struct rl_record *a = rl_run_find(j->run, j->scene, pattern);
+    const struct rl_record *b = rl_run_find(j->run, j->scene, "series=time arm=8");
+    const struct rl_series *x = a ? rl_record_series(a, "frame_ms") : NULL;
+    const struct rl_series *y = b ? rl_record_series(b, "frame_ms") : NULL;
+    if (!x || !y)
+        return (struct rl_interval){NAN, NAN, NAN};
+    return rl_ratio_interval(x->value, y->value, x->n < y->n ? x->n : y->n, 0.95);
+}
+
+/* Two arms of the same work must not differ by more than is asked about, or the clock cannot tell. */
+static int claim_time(const struct rl_judging *j)
+{
+    static const struct {
+        const char *text, *arm;
+    } row[] = {
+        {"ours: normal maps of 10 bits cost at most 5 % more frame time than those of 8", "10"},
+        {"ours: normal maps of 16 bits cost at most 5 % more frame time than those of 8", "16"},
+        {"ours: normal maps of floats cost at most 5 % more frame time than those of 8 bits", "float"},
+    };
+    struct rl_interval same = time_ratio(j, "8-again");
+    double noise = fmax(same.high - 1.0, 1.0 - same.low);
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        struct rl_claim *c = rl_judging_claim(j, row[k].text);
+        if (!c)
+            return RL_ERR_SYSTEM;
+        struct rl_interval t = time_ratio(j, row[k].arm);
+        if (isnan(t.value))
+            continue;
+        rl_claim_value(c, t.value, t.low, t.high, "times");
+        snprintf(c->note, sizeof c->note, "4 random normals, paired by round; 8 bits against itself: %.2g",
+                 noise);
+        if (noise <= time_slack)
+            c->verdict = rl_verdict_at_most(t.low, t.high, 1.0 + time_slack);
+    }
+    return RL_OK;
+}
+
+int rl_bitdepth_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    int status = RL_OK;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        struct rl_judging j = {run, scene, claims, error};
+        double rr[RL_AXIS_MAX];
+        size_t n = rl_judging_axis(&j, "series=normals", "rr", rr);
+        status = claim_bits(&j, rr, n);
+        if (status == RL_OK)
+            status = claim_regular(&j, rr, n);
+        if (status == RL_OK)
+            status = claim_time(&j);
+    }
+    return status;
+}
