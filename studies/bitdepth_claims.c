@@ -83,13 +83,13 @@ static int claim_bits(const struct rl_judging *j, const double *rr, size_t n)
          "series=regular normal_bits=8", "change", NULL},
         {"ours: 13 regular normals rounded to 10 bits change the picture by less than 1/255",
          "series=regular normal_bits=10", "change", NULL},
-        {"paper: an environment map of 8 bits is enough: it changes the picture by less than a tenth of the "
+        {"ours: an environment map of 8 bits is enough: it changes the picture by less than a tenth of the "
          "noise at N = 4 and 1/255",
          "series=environment env_format=rgba8", "change", "change_of_noise"},
         {"ours: an environment map r11g11b10f changes the picture by less than a tenth of the noise at N = 4 "
          "and 1/255",
          "series=environment env_format=r11g11b10f", "change", "change_of_noise"},
-        {"paper: a frame buffer of 8 bits is enough: it changes the picture by less than a tenth of the "
+        {"ours: a frame buffer of 8 bits is enough: it changes the picture by less than a tenth of the "
          "noise "
          "at N = 4 and 1/255",
          "series=frame frame_format=rgba8", "change", "change_of_noise"},

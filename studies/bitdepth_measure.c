@@ -206,7 +206,7 @@ static int measure_time(struct rl_record *records, size_t n, struct group *g)
     options.warm_up = 3;
     options.min_rounds = rounds;
     options.max_rounds = 2 * rounds;
-    options.max_seconds = 0.06 * rounds;
+    options.max_seconds = 0.04 * rounds;
     struct rl_timing timing;
     if (status == RL_OK)
         status = rl_timing_run(&timing, arm, n, &options, &g->bench->quiet, g->error);

@@ -41,7 +41,7 @@ static int claim_enough(const struct rl_judging *j, const double *rr, size_t n)
     } row[] = {
         {"paper: 4 random normals a pixel suffice at every R_r: RMSE at most 1/255 of full scale",
          "series=methods setting=paper method=random samples=4", "rmse"},
-        {"paper: 13 regular normals a pixel suffice at every R_r: RMSE at most 1/255",
+        {"ours: 13 regular normals a pixel suffice at every R_r: RMSE at most 1/255",
          "series=methods setting=paper method=regular samples=13", "rmse"},
         {"ours: 16 random normals a pixel suffice at every R_r: RMSE at most 1/255",
          "series=methods setting=paper method=random samples=16", "rmse"},
