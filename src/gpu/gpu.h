@@ -71,6 +71,10 @@ int rl_gpu_scene_reseed(struct rl_gpu_scene *gs, uint64_t seed, struct rl_error 
 /* The last frame as R, G, B, A float. Allocates `image`. */
 int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);
 
+/* Where the last frame's highlight pass drew, as one channel of 1 and 0: what the sphere pass let through. Highlights drawn with the
+ * surface (plain) are not in it. Allocates `image`. */
+int rl_gpu_scene_read_drawn(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);
+
 /* One environment map, six faces of size x size side by side in GL's order (+x -x +y -y +z -z), radiance RGB.
  * For tests and pictures. RL_ERR_INPUT if the object has none. */
 int rl_gpu_scene_read_environment(struct rl_gpu_scene *gs, size_t object, struct rl_image *image,

@@ -49,11 +49,18 @@ static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *obj
     gl->UseProgram(p->id);
     set_camera(gs, p);
     set_material(gs, p, object->material);
+    float seen_from[4] = {0.0f};
     if (object->environment) {
+        const rl_vec3 centre = gs->scene->object[object - gs->object].centre;
+        seen_from[0] = (float)centre.x;
+        seen_from[1] = (float)centre.y;
+        seen_from[2] = (float)centre.z;
+        seen_from[3] = 1.0f;
         gl->ActiveTexture(GL_TEXTURE0 + RL_UNIT_ENVIRONMENT);
         gl->BindTexture(GL_TEXTURE_CUBE_MAP, object->environment);
         gl->Uniform1f(p->environment_unit, gs->environment_unit);
     }
+    gl->Uniform4fv(p->seen_from, 1, seen_from);
     gl->BindVertexArray(object->vertex_array);
     gl->DrawElements(GL_TRIANGLES, object->n_indices, GL_UNSIGNED_INT, NULL);
     gs->counters.draws++;

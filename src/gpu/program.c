@@ -121,6 +121,7 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
     p->eye = gl->GetUniformLocation(p->id, "eye");
     p->specular = gl->GetUniformLocation(p->id, "specular");
     p->sphere_scale = gl->GetUniformLocation(p->id, "sphere_scale");
+    p->seen_from = gl->GetUniformLocation(p->id, "seen_from");
     p->environment_unit = gl->GetUniformLocation(p->id, "environment_unit");
     p->face = gl->GetUniformLocation(p->id, "face");
     p->centre = gl->GetUniformLocation(p->id, "centre");

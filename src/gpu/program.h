@@ -9,7 +9,7 @@ struct rl_gpu_program {
     GLuint id;
     const struct rl_plan_material *material; /* the first that uses it; the others agree. NULL: environment */
     /* -1 where the program has no such uniform, which OpenGL ignores when set. */
-    GLint clip_from_world, eye, specular, sphere_scale, environment_unit;
+    GLint clip_from_world, eye, specular, sphere_scale, seen_from, environment_unit;
     GLint face, centre, near_plane;
     GLint effect_params[RL_PLAN_EFFECTS_MAX]; /* in the order of the material's effects */
     GLint method_params;

@@ -2,6 +2,7 @@
 #include "gpu/scene.h"
 
 #include <limits.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -255,6 +256,29 @@ int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl
     for (int y = 0; y < gs->height; y++)
         gl->ReadPixels(0, gs->height - 1 - y, gs->width, 1, GL_RGBA, GL_FLOAT, rl_image_pixel(image, 0, y));
     status = rl_gl_check(gl, "reading the picture", error);
+    if (status != RL_OK)
+        rl_image_clear(image);
+    return status;
+}
+
+int rl_gpu_scene_read_drawn(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error)
+{
+    struct rl_gl *gl = &gs->gpu->gl;
+    uint8_t *row = malloc((size_t)gs->width);
+    if (!row)
+        return rl_fail_memory(error, "a row of the stencil buffer");
+    int status = rl_image_allocate(image, gs->width, gs->height, 1, error);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int y = 0; y < gs->height && status == RL_OK; y++) {
+        gl->ReadPixels(0, gs->height - 1 - y, gs->width, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, row);
+        /* The sphere pass leaves 1 and the highlight pass counts one up: 0 is what neither touched. */
+        for (int x = 0; x < gs->width; x++)
+            rl_image_pixel(image, x, y)[0] = row[x] ? 1.0f : 0.0f;
+    }
+    free(row);
+    if (status == RL_OK)
+        status = rl_gl_check(gl, "reading the stencil buffer", error);
     if (status != RL_OK)
         rl_image_clear(image);
     return status;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/ellipsoid.h"
+#include "scene/margin.h"
 
 /* Programs a material can need: surface, sphere, highlight. */
 enum { PROGRAMS_PER_MATERIAL = 3 };
@@ -116,43 +116,13 @@ static int pattern(struct rl_plan *plan, const struct rl_plan_material *m)
     return (int)plan->n_patterns++;
 }
 
-/* The margin that `auto` stands for.
- *
- * Mirroring in a microfacet normal H instead of N turns the mirror direction R by twice the angle between
- * them: L = rotation of R by 2 delta. So a pixel whose R keeps more than 2 delta_0 away from a light sees
- * it through normals with |delta| > delta_0 alone, and loses at most 2 (1 - U(delta_0)) of the light's
- * radiance with its highlight: 2 % for the delta_0 of U = 0.99, mostly far less.
- *
- * From distance d the light's sphere has the angular radius asin(r/d), and one of radius d sin(asin(r/d) +
- * 2 delta_0) has 2 delta_0 more. That grows with d: the object's farthest point decides. INFINITY where
- * the angle comes to a right one: a sphere round the whole object is not worth its pass. */
-static double auto_margin(const struct rl_scene *scene, const struct rl_plan_material *m)
-{
-    struct rl_ellipsoid e = rl_ellipsoid_make(m->rr);
-    double blur = 2.0 * rl_ellipsoid_inverse(&e, 0.99).delta;
-    double margin = 0.0;
-    for (size_t i = 0; i < scene->n_objects; i++) {
-        const struct rl_object *object = &scene->object[i];
-        if (object->material != m->material)
-            continue;
-        for (size_t j = 0; j < scene->n_lights; j++) {
-            double r = scene->light[j].radius;
-            double d = v3_length(v3_sub(scene->light[j].centre, object->centre)) + object->radius;
-            double angle = asin(fmin(1.0, r / d)) + blur;
-            if (!(angle < 0.5 * RL_PI))
-                return INFINITY;
-            margin = fmax(margin, d * sin(angle) / r - 1.0);
-        }
-    }
-    return margin;
-}
-
 static void plan_sphere(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m)
 {
     const struct rl_settings *s = &plan->settings;
     if (s->margin_kind == RL_MARGIN_OFF)
         return;
-    m->margin = s->margin_kind == RL_MARGIN_AUTO ? auto_margin(scene, m) : s->margin;
+    m->margin =
+        s->margin_kind == RL_MARGIN_AUTO ? rl_margin_auto(scene, m, s, RL_MARGIN_AUTO_LOSS) : s->margin;
     if (isfinite(m->margin))
         m->sphere_program = sphere_program(plan);
 }

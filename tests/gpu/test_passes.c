@@ -94,9 +94,9 @@ static void a_margin_only_removes(void **state)
     fixture_end(&scene);
 }
 
-static bool meets_sphere(rl_vec3 P, rl_vec3 direction, rl_vec3 centre, double radius)
+static bool meets_sphere(rl_vec3 from, rl_vec3 direction, rl_vec3 centre, double radius)
 {
-    rl_vec3 d = v3_sub(centre, P);
+    rl_vec3 d = v3_sub(centre, from);
     double along = v3_dot(d, direction);
     double distance = v3_length(d);
     if (distance <= radius)
@@ -104,8 +104,8 @@ static bool meets_sphere(rl_vec3 P, rl_vec3 direction, rl_vec3 centre, double ra
     return along > 0.0 && distance * distance - along * along <= radius * radius;
 }
 
-/* A plane seen from above: the pixels that keep their highlight are those whose mirror direction meets a
- * sphere, by a test written in another way. */
+/* A plane seen from above: the pixels that keep their highlight are those whose mirror direction, drawn from the plane's
+ * centre as the environment map sees it, meets a sphere, by a test written in another way. */
 static void the_pass_is_the_ray_and_sphere_test(void **state)
 {
     (void)state;
@@ -135,8 +135,8 @@ static void the_pass_is_the_ray_and_sphere_test(void **state)
                 bool hit = false;
                 for (size_t i = 0; i < scene.n_lights; i++)
                     hit = hit ||
-                          meets_sphere(P, v3(direction.x, -direction.y, direction.z), scene.light[i].centre,
-                                       (1.0 + margins[m]) * scene.light[i].radius);
+                          meets_sphere(scene.object[0].centre, v3(direction.x, -direction.y, direction.z),
+                                       scene.light[i].centre, (1.0 + margins[m]) * scene.light[i].radius);
                 wrong += hit != (rl_image_pixel(&image, x, y)[0] > 0.0f);
                 inside += hit;
             }
@@ -192,6 +192,49 @@ static void spheres_are_by_material(void **state)
     fixture_end(&scene);
 }
 
+/* Where the highlight pass drew: all of the sphere without a margin, with one the pixels that keep their highlight. */
+static void what_was_drawn_is_known(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    struct rl_scene scene;
+    struct rl_image picture[2], drawn[2];
+    fixture_sphere(&scene, 80, 60, "random", 3.0);
+    for (int i = 0; i < 2; i++) {
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        struct rl_plan plan;
+        struct rl_gpu_scene *gs;
+        double seconds;
+        settings.margin_kind = i ? RL_MARGIN_VALUE : RL_MARGIN_OFF;
+        check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+        check_ok(rl_gpu_scene_make(&gs, gpu, &scene, &plan, &error), &error);
+        check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
+        check_ok(rl_gpu_scene_read(gs, &picture[i], &error), &error);
+        check_ok(rl_gpu_scene_read_drawn(gs, &drawn[i], &error), &error);
+        rl_gpu_scene_free(gs);
+        rl_plan_clear(&plan);
+    }
+    size_t count[2] = {0, 0};
+    for (int y = 0; y < 60; y++)
+        for (int x = 0; x < 80; x++) {
+            bool covered = rl_image_pixel(&picture[0], x, y)[3] > 0.5f;
+            bool on[2] = {rl_image_pixel(&drawn[0], x, y)[0] == 1.0f,
+                          rl_image_pixel(&drawn[1], x, y)[0] == 1.0f};
+            assert_true(on[0] == covered);
+            assert_true(!on[1] || same_pixel(&picture[0], &picture[1], x, y));
+            assert_true(on[1] || same_pixel(&picture[0], &picture[1], x, y) ||
+                        rl_image_pixel(&picture[1], x, y)[0] < rl_image_pixel(&picture[0], x, y)[0]);
+            count[0] += on[0];
+            count[1] += on[1];
+        }
+    assert_true(count[1] > 50 && count[1] < count[0] - 50);
+    for (int i = 0; i < 2; i++) {
+        rl_image_clear(&picture[i]);
+        rl_image_clear(&drawn[i]);
+    }
+    fixture_end(&scene);
+}
+
 /* Two spheres side by side, `first` to `end` of them, the second with an effect more than the first. */
 static void render_pair(struct rl_image *image, int first, int end)
 {
@@ -230,6 +273,7 @@ int main(void)
         cmocka_unit_test(a_margin_only_removes),
         cmocka_unit_test(the_pass_is_the_ray_and_sphere_test),
         cmocka_unit_test(spheres_are_by_material),
+        cmocka_unit_test(what_was_drawn_is_known),
         cmocka_unit_test(materials_that_share_a_program_keep_apart),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);

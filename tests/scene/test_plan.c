@@ -259,38 +259,6 @@ static void test_margin(void **state)
     clear();
 }
 
-/* `auto`: from every point of the object, each direction within 2 delta(U = 0.99) of a direction to the
- * light meets the sphere; and a rough material whose lobe is wider than that is worth has none. */
-static void test_auto_margin(void **state)
-{
-    (void)state;
-    static const double rr[] = {200.0, 1000.0, 1e5};
-    for (size_t k = 0; k < 3; k++) {
-        load(27, 35, "render:\n  margin: auto");
-        scene.settings.rr = rr[k];
-        make(&scene.settings);
-        const struct rl_plan_material *m = rl_plan_of_object(&plan, &scene, 0);
-        assert_true(m->sphere_program >= 0);
-        assert_true(m->margin >= 0.0);
-        struct rl_ellipsoid e = rl_ellipsoid_make(rr[k]);
-        double blur = 2.0 * rl_ellipsoid_inverse(&e, 0.99).delta;
-        const struct rl_light *light = &scene.light[0];
-        const struct rl_mesh *mesh = &scene.object[0].mesh;
-        for (size_t i = 0; i < mesh->n_vertices; i++) {
-            const float *p = mesh->position[i];
-            double d = v3_length(v3_sub(light->centre, v3(p[0], p[1], p[2])));
-            double sphere = (1.0 + m->margin) * light->radius;
-            assert_true(sphere >= d || asin(sphere / d) >= asin(light->radius / d) + blur - 1e-9);
-        }
-        clear();
-    }
-    load(35, 35, "  margin: auto");
-    scene.settings.rr = 3.0;
-    make(&scene.settings);
-    assert_int_equal(rl_plan_of_object(&plan, &scene, 0)->sphere_program, -1);
-    clear();
-}
-
 static void test_refused(void **state)
 {
     (void)state;
@@ -364,8 +332,8 @@ int main(void)
         cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
         cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
         cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
-        cmocka_unit_test(test_auto_margin),   cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_deterministic), cmocka_unit_test(test_modules_exist),
+        cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
+        cmocka_unit_test(test_modules_exist),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
