@@ -10,6 +10,7 @@ extern const struct rl_study rl_study_samples;
 extern const struct rl_study rl_study_roughness;
 extern const struct rl_study rl_study_bitdepth;
 extern const struct rl_study rl_study_frame;
+extern const struct rl_study rl_study_margin;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_accuracy;
 
@@ -21,6 +22,7 @@ const struct rl_study *const rl_studies[] = {
     &rl_study_roughness,
     &rl_study_bitdepth,
     &rl_study_frame,
+    &rl_study_margin,
     &rl_study_fps,
     &rl_study_accuracy,
 };

@@ -1,0 +1,93 @@
+# Figures of the study `margin`, from margin.tsv.
+#
+#   gnuplot -c plots/margin.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
+#
+# FOLDER holds margin.tsv, OUTPUT ends in .svg or .png, FIGURE is missed, trade or bound.
+folder = ARG2
+output = ARG3
+figure = ARG4
+scene = ARG5
+load ARG1
+data = folder . "/margin.tsv"
+
+fixed(s, a) = strcol("scene") eq scene && s eq "margin" && a ne "off" && a ne "again" && a ne "huge" && a ne "auto"
+is_auto(a) = strcol("scene") eq scene && a eq "auto" && column("spheres") > 0
+
+# The values of R_r that were measured, ascending: the next larger one until there is none.
+rr_list = ""
+last = 0.0
+while (1) {
+    next = 1e99
+    note_rr(x) = (x > last && x < next ? next = x : 0, x)
+    stats data using (strcol("scene") eq scene && strcol("series") eq "margin" ? note_rr(column("rr")) : NaN) nooutput
+    if (next == 1e99) { break }
+    rr_list = rr_list . sprintf("%g ", next)
+    last = next
+}
+if (words(rr_list) == 0) { exit status 3 }
+# Six curves are as many as can be told apart: of more, every second one from the smooth end.
+while (words(rr_list) > 6) {
+    shorter = ""
+    do for [i = 1:words(rr_list)] { if ((words(rr_list) - i) % 2 == 0) { shorter = shorter . word(rr_list, i) . " " } }
+    rr_list = shorter
+}
+at(i) = column("rr") == word(rr_list, i)
+stats data using (fixed(strcol("series"), strcol("arm")) && column("missed") > 0 ? column("missed") : NaN) name "MISSED" nooutput
+if (!exists("MISSED_max")) { exit status 3 }
+lowest = 1e-5
+positive(x) = x > lowest ? x : lowest
+
+if (figure eq "missed") {
+    set title "Highlight taken away by the bounding spheres: " . scene . ", random 4"
+    set xlabel "margin: sphere radius over the light's, less 1"
+    set ylabel "share of the highlight's energy missed"
+    set logscale y
+    set format y "10^{%L}"
+    set yrange [lowest / 1.5:1]
+    stats data using ((fixed(strcol("series"), strcol("arm")) || is_auto(strcol("arm"))) ? column("margin") : NaN) name "M" nooutput
+    set xrange [-0.04 * M_max:1.05 * M_max]
+    set label 1 "1 %" at graph 0.995, first 0.0118 right textcolor rgb "#6a7076" font ",12"
+    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))):(positive(column("missed_low"))):(positive(column("missed_high"))) \
+            with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))) \
+            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto (ring of the R_r's colour)" : "", \
+        0.01 with lines linestyle 90 notitle
+}
+
+if (figure eq "trade") {
+    set title "Time saved against highlight missed: " . scene . ", random 4"
+    set xlabel "share of the highlight's energy missed"
+    set ylabel "frame time over that without the pass"
+    set logscale x
+    set format x "10^{%L}"
+    set xrange [lowest / 1.5:1]
+    stats data using (strcol("scene") eq scene && column("spheres") > 0 && column("time_to_off") > 0 ? column("time_to_off") : NaN) name "T" nooutput
+    if (!exists("T_max")) { exit status 3 }
+    set yrange [0:(T_max > 1.1 ? 1.1 * T_max : 1.2)]
+    set label 1 "no time saved" at graph 0.005, first 1.02 left textcolor rgb "#6a7076" font ",12"
+    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off":"time_to_off_low":"time_to_off_high" \
+            with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off" \
+            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto (ring of the R_r's colour)" : "", \
+        data using (fixed(strcol("series"), strcol("arm")) && at(words(rr_list)) && (column("margin") == 0 || column("margin") == 0.5 || column("margin") == 1) ? positive(column("missed")) : NaN):"time_to_off":(sprintf("%g", column("margin"))) \
+            with labels offset 0, -1 font ",11" notitle, \
+        1 with lines linestyle 90 notitle
+}
+
+if (figure eq "bound") {
+    set title "Worst pixel against the bound asked for: " . scene
+    set xlabel "bound on a pixel's loss, over the light's radiance"
+    set ylabel "largest loss of a skipped pixel"
+    set logscale xy
+    set format x "%g"
+    set format y "10^{%L}"
+    set xrange [0.003:0.4]
+    set yrange [1e-4:0.4]
+    set xtics (0.005, 0.01, 0.02, 0.05, 0.1, 0.2)
+    asked(s) = s eq scene && column("spheres") > 0 && column("bound") > 0
+    stats data using (asked(strcol("scene")) ? column("worst_exact") : NaN) name "W" nooutput
+    if (!exists("W_max")) { exit status 3 }
+    plot for [i = 1:words(rr_list)] data using (asked(strcol("scene")) && at(i) ? column("bound") * (1 + 0.03 * (i - words(rr_list) / 2.0)) : NaN):(column("worst_exact") > 1e-4 ? column("worst_exact") : 1e-4):(column("worst_exact_low") > 1e-4 ? column("worst_exact_low") : 1e-4):"worst_exact_high" \
+            with yerrorbars linetype i pointsize 1.1 title "R_r " . word(rr_list, i), \
+        x with lines linestyle 90 title "the bound"
+}

@@ -1,0 +1,41 @@
+/* Within the study `margin`: plan (margin.c), measuring (margin_measure.c, margin_loss.c) and claims (margin_claims.c). */
+#ifndef RL_STUDIES_MARGIN_H
+#define RL_STUDIES_MARGIN_H
+
+#include "studies/seeds.h"
+#include "studies/study.h"
+
+/* Two kinds of cases. "series=margin arm=A": one group for each R_r, of the arms off, again (off once more: the noise floor), the
+ * margins, auto and huge (which lets every pixel through: what the pass itself costs). "series=bound loss=X": the margin
+ * that rl_margin_auto gives for the loss X, without a clock.
+ *
+ * Metrics of all but off and again: spheres (1 if the plan has the pass), margin where it has; skipped, the share of the highlight
+ * pass's pixels that it leaves out; missed, the share of the highlight's energy gone in frames of the same seeds, with
+ * its interval over seeds, and worst, the most that a channel of a pixel loses in one of them; and of the integral itself, seen from
+ * the object's centre, missed_exact, worst_exact and loss_exact, the mean over the pixels skipped. Losses are in units of the
+ * brightest light's radiance. bound: what auto promises for worst_exact. from_rr: the R_r from which on auto has a
+ * sphere. Of all where timed: frame_ms with its series, time_to_off and above_off_ms. */
+int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
+                      const struct rl_scene *scene, struct rl_error *error);
+
+int rl_margin_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
+
+/* What the losses of a group's cases are taken from. Pictures are of the seeds 1 to n. */
+struct rl_margin_truth {
+    struct rl_seeds off;       /* without the pass */
+    struct rl_image none;      /* without highlight */
+    struct rl_image drawn;     /* where the highlight pass draws without the sphere pass */
+    struct rl_image highlight; /* the integral alone; alpha 0 where the CPU saw another surface */
+    double tolerance;          /* of `highlight` */
+    double radiance;           /* of the brightest light */
+};
+
+int rl_margin_truth_make(struct rl_margin_truth *truth, struct rl_bench *bench, const struct rl_scene *scene,
+                         const char *parameters, struct rl_error *error);
+void rl_margin_truth_clear(struct rl_margin_truth *truth);
+
+/* Draws `set` with every seed of the truth and adds what it loses. */
+int rl_margin_add_loss(struct rl_record *record, struct rl_bench *bench, struct rl_bench_scene *set,
+                       const struct rl_margin_truth *truth, struct rl_error *error);
+
+#endif

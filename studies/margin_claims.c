@@ -1,0 +1,192 @@
+/* The claims that the study `margin` judges. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "studies/judging.h"
+#include "studies/margin.h"
+
+static const double enough_energy = 0.01, cheap_pass = 0.1;
+
+static const struct rl_metric *find(const struct rl_judging *j, const char *arm, double rr,
+                                    const char *metric)
+{
+    char pattern[96];
+    snprintf(pattern, sizeof pattern, "series=margin arm=%s rr=%g", arm, rr);
+    return rl_judging_metric(j, pattern, metric);
+}
+
+/* The largest relative difference of two arms of the same work that is still chance; NaN if it was not measured. */
+static double noise_floor(const struct rl_judging *j, double rr)
+{
+    const struct rl_metric *same = find(j, "again", rr, "time_to_off");
+    return same ? fmax(same->high - 1.0, 1.0 - same->low) : NAN;
+}
+
+/* The worst pixel of all R_r where auto has a sphere speaks for all. */
+static int claim_bound(const struct rl_judging *j, const double *rr, size_t n)
+{
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: margin auto keeps its bound: no pixel loses more than 2 % of the light's radiance");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_metric *spheres = find(j, "auto", rr[i], "spheres");
+        const struct rl_metric *worst = find(j, "auto", rr[i], "worst_exact");
+        const struct rl_metric *bound = find(j, "auto", rr[i], "bound");
+        if (!spheres || !worst || !bound || !(spheres->value > 0.0))
+            continue;
+        rl_judging_note(c, rr[i], worst->value);
+        if (worst->value <= c->value)
+            continue;
+        rl_claim_value(c, worst->value, worst->low, worst->high, "of the radiance");
+        c->verdict = rl_verdict_at_most(worst->low, worst->high, bound->value);
+    }
+    return RL_OK;
+}
+
+/* Every other bound that was asked for, in units of itself. */
+static int claim_any_bound(const struct rl_judging *j)
+{
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: the closed form keeps any bound that is asked for: worst pixel over bound, at most 1");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    size_t n = 0;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, "series=bound"));) {
+        const struct rl_metric *worst = rl_record_metric(r, "worst_exact");
+        const struct rl_metric *bound = rl_record_metric(r, "bound");
+        const struct rl_metric *spheres = rl_record_metric(r, "spheres");
+        if (!worst || !bound || !spheres || !(spheres->value > 0.0))
+            continue;
+        n++;
+        if (worst->value / bound->value <= c->value)
+            continue;
+        rl_claim_value(c, worst->value / bound->value, worst->low / bound->value, worst->high / bound->value,
+                       "of the bound");
+        snprintf(c->note, sizeof c->note, "nearest to its bound: %g at R_r %g", bound->value,
+                 rl_parameter_number(r->parameters, "rr"));
+    }
+    if (n > 0)
+        c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
+    return RL_OK;
+}
+
+/* Whether the share of energy that an arm misses is small enough, along R_r. */
+static int claim_energy(const struct rl_judging *j, const double *rr, size_t n, const char *arm,
+                        const char *text, double bound)
+{
+    struct rl_claim *c = rl_judging_claim(j, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_metric *m = find(j, arm, rr[i], "missed");
+        if (!m)
+            continue;
+        verdict[i] = rl_verdict_at_most(m->low, m->high, bound);
+        rl_judging_note(c, rr[i], m->value);
+        if (rr[i] == rl_central_rr(rr, n))
+            rl_claim_value(c, m->value, m->low, m->high, "of the highlight");
+    }
+    rl_judging_along(c, rr, verdict, n);
+    return RL_OK;
+}
+
+/* Where auto has no sphere it saves nothing, which is known without a clock. */
+static enum rl_verdict saves_time(const struct rl_judging *j, double rr)
+{
+    const struct rl_metric *spheres = find(j, "auto", rr, "spheres");
+    const struct rl_metric *times = find(j, "auto", rr, "time_to_off");
+    double noise = noise_floor(j, rr);
+    if (!spheres)
+        return RL_VERDICT_INCONCLUSIVE;
+    if (spheres->value == 0.0)
+        return RL_VERDICT_FAILS;
+    if (!times || isnan(noise))
+        return RL_VERDICT_INCONCLUSIVE;
+    return times->high < 1.0 - noise ? RL_VERDICT_HOLDS
+           : times->low > 1.0        ? RL_VERDICT_FAILS
+                                     : RL_VERDICT_INCONCLUSIVE;
+}
+
+static int claim_time(const struct rl_judging *j, const double *rr, size_t n)
+{
+    struct rl_claim *c =
+        rl_judging_claim(j, "paper: the sphere saves time; here with margin auto, frame time over "
+                            "that without the pass, below 1 by more than noise");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    enum rl_verdict verdict[RL_AXIS_MAX];
+    double judged[RL_AXIS_MAX];
+    size_t n_judged = 0;
+    const struct rl_metric *from = NULL;
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_metric *times = find(j, "auto", rr[i], "time_to_off");
+        const struct rl_metric *spheres = find(j, "auto", rr[i], "spheres");
+        from = from ? from : find(j, "auto", rr[i], "from_rr");
+        if (!spheres || (spheres->value > 0.0 && !times))
+            continue;
+        judged[n_judged] = rr[i];
+        verdict[n_judged++] = saves_time(j, rr[i]);
+        if (!(spheres->value > 0.0))
+            continue;
+        rl_judging_note(c, rr[i], times->value);
+        rl_claim_value(c, times->value, times->low, times->high, "times");
+    }
+    rl_judging_along(c, judged, verdict, n_judged);
+    size_t used = strlen(c->note);
+    if (from)
+        snprintf(c->note + used, sizeof c->note - used, "%sauto has a sphere from R_r %.3g on",
+                 used ? "; " : "", from->value);
+    return RL_OK;
+}
+
+/* The pass alone: a margin that lets every pixel through. The R_r where it costs most speaks for all. */
+static int claim_cost(const struct rl_judging *j, const double *rr, size_t n)
+{
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: the sphere pass itself is cheap: where it saves nothing it adds at most 10 % to the frame");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_metric *times = find(j, "huge", rr[i], "time_to_off");
+        if (!times)
+            continue;
+        rl_judging_note(c, rr[i], times->value - 1.0);
+        if (times->value - 1.0 <= c->value)
+            continue;
+        rl_claim_value(c, times->value - 1.0, times->low - 1.0, times->high - 1.0, "of a frame");
+        c->verdict = rl_verdict_at_most(c->low, c->high, cheap_pass);
+    }
+    return RL_OK;
+}
+
+int rl_margin_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    int status = RL_OK;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        struct rl_judging j = {run, scene, claims, error};
+        double rr[RL_AXIS_MAX];
+        size_t n = rl_judging_axis(&j, "series=margin", "rr", rr);
+        status = claim_bound(&j, rr, n);
+        if (status == RL_OK)
+            status = claim_any_bound(&j);
+        if (status == RL_OK)
+            status =
+                claim_energy(&j, rr, n, "auto",
+                             "ours: margin auto misses at most 1 % of the highlight's energy", enough_energy);
+        if (status == RL_OK)
+            status =
+                claim_energy(&j, rr, n, "0.5",
+                             "paper: a sphere somewhat larger than the light suffices: 1.5 times as large it "
+                             "misses at most 1 % of the energy",
+                             enough_energy);
+        if (status == RL_OK)
+            status = claim_time(&j, rr, n);
+        if (status == RL_OK)
+            status = claim_cost(&j, rr, n);
+    }
+    return status;
+}

@@ -1,0 +1,191 @@
+/* Measures the cases of the study `margin`: arms set up, their losses, their clocks (see margin.h). */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "measure/statistics.h"
+#include "measure/timing.h"
+#include "scene/margin.h"
+#include "studies/margin.h"
+
+enum { ARMS_MAX = 24, TEXT_MAX = RL_PARAMETERS_MAX + 64 };
+
+/* The largest margin that any material of the plan needs; infinite if one can have no sphere. */
+static double needed_margin(const struct rl_scene *scene, const struct rl_plan *plan, double rr, double loss)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        struct rl_plan_material m = plan->material[i];
+        if (m.highlight_program < 0)
+            continue;
+        m.rr = rr > 0.0 ? rr : m.rr;
+        largest = fmax(largest, rl_margin_auto(scene, &m, &plan->settings, loss));
+    }
+    return largest;
+}
+
+/* The R_r from which on every material of the plan has a sphere: the margin falls as R_r grows. */
+static double first_rr(const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    double low = 0.0, high = log(1e9);
+    if (!isfinite(needed_margin(scene, plan, exp(high), RL_MARGIN_AUTO_LOSS)))
+        return INFINITY;
+    for (int i = 0; i < 50; i++) {
+        double middle = 0.5 * (low + high);
+        *(isfinite(needed_margin(scene, plan, exp(middle), RL_MARGIN_AUTO_LOSS)) ? &high : &low) = middle;
+    }
+    return exp(high);
+}
+
+static int make_set(struct rl_bench_scene **set, struct rl_bench *bench, const struct rl_scene *scene,
+                    const char *head, const struct rl_record *r, struct rl_error *error)
+{
+    char text[TEXT_MAX];
+    snprintf(text, sizeof text, "%s%s", head, r->parameters);
+    return rl_bench_scene_make(set, bench, scene, text, 1, error);
+}
+
+/* The case at its own size. A loss in place of a margin is looked up in the plan that would have none. */
+static int make_case(struct rl_bench_scene **set, struct rl_bench *bench, const struct rl_scene *scene,
+                     const struct rl_record *r, struct rl_error *error)
+{
+    double loss = rl_parameter_number(r->parameters, "loss");
+    int status = make_set(set, bench, scene, isnan(loss) ? "" : "margin=off ", r, error);
+    if (status != RL_OK || isnan(loss))
+        return status;
+    double margin = needed_margin(scene, &(*set)->plan, 0.0, loss);
+    if (!isfinite(margin))
+        return RL_OK;
+    char head[64];
+    snprintf(head, sizeof head, "margin=%.17g ", margin);
+    rl_bench_scene_free(*set);
+    return make_set(set, bench, scene, head, r, error);
+}
+
+static int add(struct rl_record *r, const char *name, double value, struct rl_error *error)
+{
+    return rl_record_metric_add(r, name, value, value, value, "1", error);
+}
+
+/* What the plan decided. */
+static int add_plan(struct rl_record *r, const struct rl_scene *scene, const struct rl_plan *plan,
+                    struct rl_error *error)
+{
+    double margin = -1.0;
+    for (size_t i = 0; i < plan->n_materials; i++)
+        if (plan->material[i].sphere_program >= 0)
+            margin = fmax(margin, plan->material[i].margin);
+    int status = add(r, "spheres", margin >= 0.0, error);
+    if (status == RL_OK && margin >= 0.0)
+        status = add(r, "margin", margin, error);
+    bool is_auto = rl_parameters_match(r->parameters, "arm=auto");
+    double loss = is_auto ? RL_MARGIN_AUTO_LOSS : rl_parameter_number(r->parameters, "loss");
+    if (status == RL_OK && !isnan(loss))
+        status = add(r, "bound", loss, error);
+    double rr = is_auto ? first_rr(scene, plan) : NAN;
+    return status == RL_OK && isfinite(rr) ? add(r, "from_rr", rr, error) : status;
+}
+
+static bool is_baseline(const struct rl_record *r)
+{
+    return rl_parameters_match(r->parameters, "margin=off");
+}
+
+static int measure_losses(struct rl_record *records, size_t n, struct rl_bench *bench,
+                          const struct rl_scene *scene, struct rl_error *error)
+{
+    struct rl_margin_truth truth;
+    int status = rl_margin_truth_make(&truth, bench, scene, records[0].parameters, error);
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        struct rl_bench_scene *set = NULL;
+        if (is_baseline(&records[i]))
+            continue;
+        status = make_case(&set, bench, scene, &records[i], error);
+        if (status == RL_OK)
+            status = add_plan(&records[i], scene, &set->plan, error);
+        if (status == RL_OK)
+            status = rl_margin_add_loss(&records[i], bench, set, &truth, error);
+        rl_bench_scene_free(set);
+    }
+    rl_margin_truth_clear(&truth);
+    return status;
+}
+
+static int frame(void *user, double *seconds, struct rl_error *error)
+{
+    const struct rl_bench_scene *set = user;
+    return rl_gpu_scene_frame(set->gpu_scene, seconds, error);
+}
+
+static int add_interval(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
+                        struct rl_error *error)
+{
+    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
+}
+
+/* Against the arm without spheres, round by round. */
+static int add_times(struct rl_record *records, size_t n, const struct rl_timing *t, struct rl_error *error)
+{
+    size_t off = 0;
+    while (off < n && !rl_parameters_match(records[off].parameters, "arm=off"))
+        off++;
+    if (off == n)
+        return rl_fail(error, RL_ERR_INPUT, "a group without the arm 'off'");
+    int status = RL_OK;
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        const double *ms = t->ms[i];
+        status =
+            add_interval(&records[i], "frame_ms", rl_median_interval(ms, t->n_rounds, 0.95), "ms", error);
+        if (status == RL_OK)
+            status = add_interval(&records[i], "time_to_off",
+                                  rl_ratio_interval(ms, t->ms[off], t->n_rounds, 0.95), "1", error);
+        if (status == RL_OK)
+            status = add_interval(&records[i], "above_off_ms",
+                                  rl_difference_interval(ms, t->ms[off], t->n_rounds, 0.95), "ms", error);
+        if (status == RL_OK)
+            status = rl_record_series_add(&records[i], "frame_ms", ms, t->n_rounds, error);
+    }
+    return status;
+}
+
+/* Frames larger than those whose loss is measured, for which a reference would take long. */
+static int measure_times(struct rl_record *records, size_t n, struct rl_bench *bench,
+                         const struct rl_scene *scene, struct rl_error *error)
+{
+    const char *p = records[0].parameters;
+    int rounds = (int)rl_parameter_number(p, "rounds");
+    struct rl_bench_scene *set[ARMS_MAX] = {NULL};
+    struct rl_timing_arm arm[ARMS_MAX];
+    struct rl_timing timing = {0};
+    struct rl_timing_options options = RL_TIMING_DEFAULT;
+    options.min_rounds = rounds;
+    options.max_rounds = rounds;
+    char head[64];
+    snprintf(head, sizeof head, "width=%g height=%g ", rl_parameter_number(p, "timed_width"),
+             rl_parameter_number(p, "timed_height"));
+    int status = RL_OK;
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        status = make_set(&set[i], bench, scene, head, &records[i], error);
+        arm[i] = (struct rl_timing_arm){records[i].parameters, frame, set[i]};
+    }
+    if (status == RL_OK)
+        status = rl_timing_run(&timing, arm, n, &options, &bench->quiet, error);
+    if (status == RL_OK)
+        status = add_times(records, n, &timing, error);
+    rl_timing_clear(&timing);
+    for (size_t i = 0; i < n; i++)
+        rl_bench_scene_free(set[i]);
+    return status;
+}
+
+int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
+                      const struct rl_scene *scene, struct rl_error *error)
+{
+    if (n > ARMS_MAX)
+        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, at most %d are measured together", n,
+                       ARMS_MAX);
+    int status = measure_losses(records, n, bench, scene, error);
+    if (status == RL_OK && rl_parameter_number(records[0].parameters, "rounds") >= 1.0)
+        status = measure_times(records, n, bench, scene, error);
+    return status;
+}

@@ -1,0 +1,184 @@
+/* The study `margin`: its plan, and that its verdicts follow from the rows: other rows, other verdict. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "studies/study.h"
+
+static const struct rl_place place = {"margin", "made-up", "made-up.yaml", 1};
+
+/* What a made-up world is like at R_r 300, 100 and 3, where auto has no sphere. */
+struct world {
+    double worst, other_worst;  /* of auto, and of the bound 0.1 */
+    double missed, missed_half; /* by auto and by the margin 0.5, at R_r 100 */
+    double time, time_300, noise, cost;
+};
+
+static const struct world usual = {
+    .worst = 0.001,
+    .other_worst = 0.01,
+    .missed = 0.002,
+    .missed_half = 0.003,
+    .time = 0.8,
+    .time_300 = 0.7,
+    .noise = 0.02,
+    .cost = 0.05,
+};
+
+static void metric(struct rl_record *r, const char *name, double value, double spread)
+{
+    assert_int_equal(rl_record_metric_add(r, name, value, value - spread, value + spread, "1", NULL), RL_OK);
+    r->status = RL_RECORD_OK;
+}
+
+static struct rl_record *arm(struct rl_run *run, const char *name, double rr)
+{
+    return rl_run_add(run, &place, (int)rr, NULL, "series=margin arm=%s rr=%g", name, rr);
+}
+
+static void add_rr(struct rl_run *run, const struct world *w, double rr, double time)
+{
+    bool sphere = rr > 10.0;
+    metric(arm(run, "again", rr), "time_to_off", 1.0, w->noise);
+    metric(arm(run, "huge", rr), "time_to_off", 1.0 + w->cost, 0.01);
+    struct rl_record *r = arm(run, "auto", rr);
+    metric(r, "spheres", sphere, 0.0);
+    metric(r, "bound", 0.02, 0.0);
+    metric(r, "from_rr", 20.0, 0.0);
+    metric(r, "worst_exact", sphere ? w->worst : 0.0, 1e-4);
+    metric(r, "missed", sphere ? w->missed : 0.0, 1e-4);
+    metric(r, "time_to_off", sphere ? time : 1.0, 0.01);
+    metric(arm(run, "0.5", rr), "missed", rr > 10.0 ? w->missed_half : 0.2, 1e-4);
+    r = rl_run_add(run, &place, 1000 + (int)rr, NULL, "series=bound loss=0.1 rr=%g", rr);
+    metric(r, "spheres", sphere, 0.0);
+    metric(r, "bound", 0.1, 0.0);
+    metric(r, "worst_exact", sphere ? w->other_worst : 0.0, 1e-4);
+}
+
+static struct rl_claim judge(struct world w, const char *words)
+{
+    struct rl_run run = {.study = "margin", .grid = "default"};
+    add_rr(&run, &w, 3.0, w.time);
+    add_rr(&run, &w, 100.0, w.time);
+    add_rr(&run, &w, 300.0, w.time_300);
+    struct rl_claims claims = {0};
+    assert_int_equal(rl_study_find("margin")->judge(&claims, &run, NULL), RL_OK);
+    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
+    for (size_t i = 0; i < claims.n; i++)
+        if (strstr(claims.claim[i].text, words))
+            found = claims.claim[i];
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+    if ((int)found.verdict < 0)
+        fail_msg("no claim says '%s'", words);
+    return found;
+}
+
+static void test_flips(void **state)
+{
+    (void)state;
+    static const char bound[] = "margin auto keeps its bound";
+    struct world w = usual;
+    struct rl_claim c = judge(w, bound);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_true(c.value == 0.001);
+    w.worst = 0.03;
+    assert_int_equal(judge(w, bound).verdict, RL_VERDICT_FAILS);
+    w.worst = 0.02;
+    assert_int_equal(judge(w, bound).verdict, RL_VERDICT_INCONCLUSIVE);
+
+    static const char any[] = "keeps any bound";
+    assert_int_equal(judge(w, any).verdict, RL_VERDICT_HOLDS);
+    assert_true(fabs(judge(w, any).value - 0.1) < 1e-12);
+    w.other_worst = 0.2;
+    assert_int_equal(judge(w, any).verdict, RL_VERDICT_FAILS);
+
+    static const char energy[] = "auto misses at most 1 %";
+    w = usual;
+    assert_int_equal(judge(w, energy).verdict, RL_VERDICT_HOLDS);
+    w.missed = 0.05;
+    c = judge(w, energy);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO); /* where there is no sphere */
+    assert_string_equal(c.unit, "R_r and rougher");
+
+    static const char half[] = "1.5 times as large";
+    w = usual;
+    c = judge(w, half);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+    assert_true(c.value == 100.0);
+    w.missed_half = 0.1;
+    assert_int_equal(judge(w, half).verdict, RL_VERDICT_FAILS);
+
+    static const char time[] = "the sphere saves time";
+    w = usual;
+    c = judge(w, time);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+    assert_true(c.value == 100.0);
+    assert_non_null(strstr(c.note, "from R_r 20 on"));
+    w.time = 0.98; /* less, but no less than chance */
+    assert_int_equal(judge(w, time).value == 100.0, false);
+    assert_true(judge(w, time).value == 300.0);
+    w.time = w.time_300 = 1.2;
+    assert_int_equal(judge(w, time).verdict, RL_VERDICT_FAILS);
+
+    static const char cost[] = "pass itself is cheap";
+    w = usual;
+    assert_int_equal(judge(w, cost).verdict, RL_VERDICT_HOLDS);
+    w.cost = 0.3;
+    assert_int_equal(judge(w, cost).verdict, RL_VERDICT_FAILS);
+}
+
+/* Nothing measured: no verdict is made up. */
+static void test_missing(void **state)
+{
+    (void)state;
+    struct rl_run run = {.study = "margin", .grid = "quick"};
+    assert_int_equal(rl_study_find("margin")->plan(&run, &place, RL_GRID_QUICK, 0, NULL), RL_OK);
+    struct rl_claims claims = {0};
+    assert_int_equal(rl_study_find("margin")->judge(&claims, &run, NULL), RL_OK);
+    assert_true(claims.n == 6);
+    for (size_t i = 0; i < claims.n; i++) {
+        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
+        assert_true(isnan(claims.claim[i].value));
+    }
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+}
+
+/* Every case is its own, and what the claims need is in every grid. */
+static void test_plan(void **state)
+{
+    (void)state;
+    for (int grid = RL_GRID_QUICK; grid <= RL_GRID_FULL; grid++) {
+        struct rl_run run = {.study = "margin"};
+        assert_int_equal(rl_study_find("margin")->plan(&run, &place, (enum rl_grid)grid, 0, NULL), RL_OK);
+        rl_run_identify(&run, "env");
+        for (size_t i = 0; i < run.n_records; i++) {
+            run.record[i].status = RL_RECORD_OK;
+            for (size_t k = 0; k < i; k++)
+                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
+        }
+        static const char *const needed[] = {
+            "series=margin arm=off rr=30",  "series=margin arm=again rr=300", "series=margin arm=auto rr=30",
+            "series=margin arm=huge rr=30", "series=margin arm=0.5 rr=30",    "series=bound rr=30",
+        };
+        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
+            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        rl_run_clear(&run);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_plan),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
