@@ -11,6 +11,7 @@ extern const struct rl_study rl_study_roughness;
 extern const struct rl_study rl_study_bitdepth;
 extern const struct rl_study rl_study_frame;
 extern const struct rl_study rl_study_margin;
+extern const struct rl_study rl_study_environment;
 extern const struct rl_study rl_study_budget;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_accuracy;
@@ -24,6 +25,7 @@ const struct rl_study *const rl_studies[] = {
     &rl_study_bitdepth,
     &rl_study_frame,
     &rl_study_margin,
+    &rl_study_environment,
     &rl_study_budget,
     &rl_study_fps,
     &rl_study_accuracy,

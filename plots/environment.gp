@@ -1,0 +1,112 @@
+# Figures of the study `environment`, from environment.tsv.
+#
+#   gnuplot -c plots/environment.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
+#
+# FOLDER holds environment.tsv, OUTPUT ends in .svg or .png, FIGURE is size, format, parallax or seam.
+folder = ARG2
+output = ARG3
+figure = ARG4
+scene = ARG5
+load ARG1
+data = folder . "/environment.tsv"
+
+row(s) = strcol("scene") eq scene && strcol("series") eq s
+step = 1.0 / 255.0
+lowest = 1e-6
+above(x) = x > lowest ? x : lowest
+
+if (figure eq "size") {
+    set bmargin 10.5
+    set title "Error by the environment map's texels: " . scene . ", R_r 30"
+    stats data using (row("size") ? column("env_size_px") : NaN) name "SIZE" nooutput
+    stats data using (row("size") && column("rmse_map") > 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
+    if (!exists("RMSE_max")) { exit status 3 }
+    set xlabel "texels along an edge of a face"
+    set ylabel "error of linear radiance (full scale 1)"
+    set logscale xy
+    set format y "10^{%L}"
+    set xtics (8, 16, 32, 64, 128, 256, 512, 1024, 2048)
+    set xrange [SIZE_min / 1.3:SIZE_max * 1.3]
+    set yrange [1e-4:3 * RMSE_max]
+    set label 1 "1/255" at graph 0.01, first step * 1.15 left textcolor rgb "#6a7076" font ",12"
+    floor_of(x) = x > 1e-4 ? x : 1e-4
+    # Only where the value can be told from zero does a mark say something.
+    plot data using (row("size") ? column("env_size_px") : NaN):"rmse_map":(floor_of(column("rmse_map_low"))):"rmse_map_high" \
+            with yerrorlines linetype 1 pointsize 0.9 title "against the largest map", \
+        data using (row("size") && column("floor_map") > 1e-4 ? column("env_size_px") : NaN):(floor_of(column("floor_map"))):(floor_of(column("floor_map_low"))):"floor_map_high" \
+            with yerrorlines linetype 2 pointsize 0.9 title "noise taken out", \
+        data using (row("size") && column("floor_centre") > 1e-4 ? column("env_size_px") * 1.06 : NaN):(floor_of(column("floor_centre"))):(floor_of(column("floor_centre_low"))):"floor_centre_high" \
+            with yerrorbars linetype 3 pointsize 0.9 title "against the reference", \
+        RMSE_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1", \
+        step with lines linestyle 90 notitle
+}
+
+if (figure eq "format") {
+    set title "Error by the texels' format: " . scene . ", R_r 30, 256 texels a face edge"
+    stats data using (row("format") && column("base") == 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
+    if (!exists("RMSE_max")) { exit status 3 }
+    set xlabel "RMSE of linear radiance against 32-bit floats (full scale 1)"
+    set logscale x
+    set format x "10^{%L}"
+    low = 1e-8
+    at_least(x) = x > low ? x : low
+    set xrange [low:1e-2]
+    set yrange [-0.7:4.9]
+    set lmargin 16
+    set rmargin 6
+    set grid noytics
+    place(f) = f eq "rgba16f" ? 0 : f eq "rgba16" ? 1 : f eq "r11g11b10f" ? 2 : f eq "rgb10a2" ? 3 : 4
+    set ytics ("rgba16f" 0, "rgba16" 1, "r11g11b10f" 2, "rgb10a2" 3, "rgba8" 4)
+    set label 2 "1/255" at step, 4.8 center textcolor rgb "#6a7076" font ",12"
+    set arrow 1 from step, -0.7 to step, 4.6 nohead linestyle 90
+    set style fill solid 0.85
+    here(f) = row("format") && column("base") == 0 ? place(f) : NaN
+    plot data using (low):(here(strcol("env_format"))):(low):(at_least(column("rmse_map"))):(here(strcol("env_format")) - 0.3):(here(strcol("env_format")) + 0.3) \
+            with boxxyerror linecolor rgb "#0072b2" title "RMSE", \
+        data using (at_least(column("rmse_map"))):(here(strcol("env_format"))):(at_least(column("rmse_map_low"))):(at_least(column("rmse_map_high"))) \
+            with xerrorbars linetype 2 dashtype 1 pointsize 0.4 title "95 % interval over seeds", \
+        data using (at_least(column("rmse_map_high")) * 1.15):(here(strcol("env_format"))):(column("rmse_map") > low ? sprintf("%.2g", column("rmse_map")) : column("rmse_map") > 0 ? "< 1e-8" : "0") \
+            with labels left font ",12" notitle
+}
+
+if (figure eq "parallax") {
+    set title "Error by the map's single position: " . scene . ", R_r 30"
+    stats data using (row("parallax") ? column("size") : NaN) name "SIZE" nooutput
+    stats data using (row("parallax") ? column("parallax") : NaN) name "P" nooutput
+    if (!exists("P_max")) { exit status 3 }
+    # Through the smallest object: in proportion, as a picture that is shifted by little changes.
+    set xlabel "object's radius over the light's distance"
+    set ylabel "RMSE of linear radiance (full scale 1)"
+    set logscale xy
+    set format y "10^{%L}"
+    set xtics (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1)
+    set xrange [SIZE_min / 1.4:SIZE_max * 1.4]
+    set yrange [P_min / 3:P_max * 3]
+    set label 1 "1/255" at graph 0.01, first step * 1.1 left textcolor rgb "#6a7076" font ",12"
+    plot data using (row("parallax") ? column("size") : NaN):"parallax":(above(column("parallax_low"))):"parallax_high" \
+            with yerrorlines linetype 1 pointsize 1 title "reference from the centre against from each point", \
+        P_min * x / SIZE_min with lines linestyle 90 dashtype 3 title "slope 1", \
+        step with lines linestyle 90 notitle
+}
+
+if (figure eq "seam") {
+    set title "A light in a face's middle, across an edge, across a corner: " . scene . ", R_r 30"
+    stats data using (row("seam") && column("base") == 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
+    stats data using (row("seam") && column("base") == 0 ? column("env_size_px") : NaN) name "SIZE" nooutput
+    if (!exists("RMSE_max")) { exit status 3 }
+    set ylabel "error of linear radiance (full scale 1)"
+    set xrange [-0.5:2.5]
+    set yrange [0:1.2 * RMSE_max]
+    set xtics ("middle of a face" 0, "edge" 1, "corner" 2)
+    set grid noxtics
+    place(p) = p eq "middle" ? 0 : p eq "edge" ? 1 : 2
+    here(p, size, shift) = row("seam") && column("base") == 0 && column("env_size_px") == size ? place(p) + shift : NaN
+    plot data using (here(strcol("place"), SIZE_min, -0.12)):"rmse_map":"rmse_map_low":"rmse_map_high" \
+            with yerrorbars linetype 1 pointsize 1 title sprintf("%g texels: RMSE", SIZE_min), \
+        data using (here(strcol("place"), SIZE_min, -0.04)):"floor_map":"floor_map_low":"floor_map_high" \
+            with yerrorbars linetype 2 pointsize 1 title sprintf("%g texels: noise taken out", SIZE_min), \
+        data using (here(strcol("place"), SIZE_max, 0.04)):(SIZE_max > SIZE_min ? column("rmse_map") : NaN):"rmse_map_low":"rmse_map_high" \
+            with yerrorbars linetype 3 pointsize 1 title sprintf("%g texels: RMSE", SIZE_max), \
+        data using (here(strcol("place"), SIZE_max, 0.12)):(SIZE_max > SIZE_min ? column("floor_map") : NaN):"floor_map_low":"floor_map_high" \
+            with yerrorbars linetype 4 pointsize 1 title sprintf("%g texels: noise taken out", SIZE_max)
+}

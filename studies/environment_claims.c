@@ -1,0 +1,153 @@
+/* The claims that the study `environment` judges. */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "measure/statistics.h"
+#include "studies/environment.h"
+#include "studies/judging.h"
+
+/* No texel is larger than those in the middle of a face, but a light's edge may run along the texels in one place and across them in
+ * another. A face that is missing, turned or mirrored would be wrong by far more. */
+static const double seam_bound = 1.25;
+
+/* A figure of one case against one step of an 8-bit frame buffer. */
+static int claim_step(const struct rl_judging *j, const char *pattern, const char *metric, const char *text,
+                      const char *note)
+{
+    struct rl_claim *c = rl_judging_claim(j, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *m = rl_judging_metric(j, pattern, metric);
+    if (!m)
+        return RL_OK;
+    rl_claim_value(c, m->value, m->low, m->high, "RMSE");
+    snprintf(c->note, sizeof c->note, "%s", note);
+    c->verdict = rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS);
+    return RL_OK;
+}
+
+/* The pairs (x, y) of measured rows that have both metrics or parameters; at most RL_AXIS_MAX. */
+static size_t points(const struct rl_judging *j, const char *pattern, const char *key, const char *metric,
+                     double x[RL_AXIS_MAX], double y[RL_AXIS_MAX])
+{
+    size_t n = 0;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, pattern));) {
+        const struct rl_metric *m = rl_record_metric(r, metric), *k = rl_record_metric(r, key);
+        if (!m || n == RL_AXIS_MAX)
+            continue;
+        x[n] = k ? k->value : rl_parameter_number(r->parameters, key);
+        y[n++] = m->value;
+    }
+    return n;
+}
+
+/* An edge of the light is wrong by half a texel at most: less than in proportion would be a fault. The largest maps are near the one
+ * that stands for the truth and look too good: only up to a quarter of it. */
+static int claim_slope(const struct rl_judging *j)
+{
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: the map's error falls at least in proportion to its texels' size (slope at most -1)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX], base[RL_AXIS_MAX];
+    size_t n_base = rl_judging_axis(j, "series=size base=1", "env_size", base), kept = 0;
+    size_t n = points(j, "series=size base=0", "env_size", "floor_map", size, rmse);
+    for (size_t i = 0; i < n && n_base > 0; i++)
+        if (size[i] <= base[0] / 4.0 && rmse[i] > 0.0) {
+            size[kept] = size[i];
+            rmse[kept++] = rmse[i];
+        }
+    struct rl_interval s = rl_loglog_slope(size, rmse, kept, 0.95);
+    rl_claim_value(c, s.value, s.low, s.high, "slope");
+    c->verdict = rl_verdict_at_most(s.low, s.high, -1.0);
+    return RL_OK;
+}
+
+/* The scene's own size, and how small the object would have to be: in proportion from the two measured sizes around it, or from
+ * the smallest one. */
+static int claim_parallax(const struct rl_judging *j)
+{
+    double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
+    size_t n = points(j, "series=parallax", "size", "parallax", size, rmse), below = 0;
+    char note[128] = "";
+    while (below < n && rmse[below] > RL_STEP_OF_8_BITS)
+        below++;
+    if (n > 0 && below == n)
+        snprintf(note, sizeof note,
+                 "object's radius over the light's distance %.3g; the smallest measured, %.3g: %.3g", size[0],
+                 size[n - 1], rmse[n - 1]);
+    else if (below > 0) {
+        double t = log(rmse[below - 1] / RL_STEP_OF_8_BITS) / log(rmse[below - 1] / rmse[below]);
+        snprintf(note, sizeof note,
+                 "object's radius over the light's distance %.3g; 1/255 is reached at %.3g", size[0],
+                 size[below - 1] * pow(size[below] / size[below - 1], t));
+    }
+    return claim_step(j, "series=parallax away=1", "parallax",
+                      "paper: one map for a whole object serves: its parallax is at most 1/255 here", note);
+}
+
+static int claim_parallax_slope(const struct rl_judging *j)
+{
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: parallax grows in proportion to the object's size over the light's distance (slope 1 to "
+           "within 0.15)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
+    size_t n = points(j, "series=parallax", "size", "parallax", size, rmse);
+    struct rl_interval s = rl_loglog_slope(size, rmse, n, 0.95);
+    rl_claim_value(c, s.value, s.low, s.high, "slope");
+    if (n >= 2) /* planned from large to small */
+        snprintf(c->note, sizeof c->note, "between the two smallest sizes %.3g",
+                 log(rmse[n - 2] / rmse[n - 1]) / log(size[n - 2] / size[n - 1]));
+    c->verdict = rl_verdict_equals(s.low, s.high, 1.0, 0.15);
+    return RL_OK;
+}
+
+/* The worse of edge and corner against the middle, at the smallest map: its texels are largest. */
+static int claim_seam(const struct rl_judging *j)
+{
+    struct rl_claim *c = rl_judging_claim(j, "ours: seams do no harm: across an edge or corner of the cube "
+                                             "the error is at most 1.25 times that in a face's middle");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double size[RL_AXIS_MAX];
+    size_t n = rl_judging_axis(j, "series=seam base=0", "env_size", size);
+    static const char *const place[] = {"middle", "edge", "corner"};
+    const struct rl_metric *m[3] = {NULL};
+    for (int i = 0; i < 3 && n > 0; i++) {
+        char pattern[96];
+        snprintf(pattern, sizeof pattern, "series=seam base=0 place=%s env_size=%g", place[i], size[0]);
+        m[i] = rl_judging_metric(j, pattern, "floor_map");
+    }
+    if (!m[0] || !m[1] || !m[2])
+        return RL_OK;
+    rl_judging_ratio(c, m[1]->value > m[2]->value ? m[1] : m[2], m[0], "times");
+    snprintf(c->note, sizeof c->note, "%g texels a face edge; RMSE: middle %.3g, edge %.3g, corner %.3g",
+             size[0], m[0]->value, m[1]->value, m[2]->value);
+    c->verdict = rl_verdict_at_most(c->low, c->high, seam_bound);
+    return RL_OK;
+}
+
+int rl_environment_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    int status = RL_OK;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        struct rl_judging j = {run, scene, claims, error};
+        status = claim_step(&j, "series=size base=0 env_size=256", "rmse_map",
+                            "paper: 256 texels a face edge are enough: their error is at most 1/255",
+                            "against the largest map, same seeds, float normals");
+        if (status == RL_OK)
+            status = claim_step(&j, "series=format env_format=rgba8", "rmse_map",
+                                "paper: texels of 8 bits are enough: their error is at most 1/255",
+                                "against 32-bit floats, same seeds");
+        int (*const claim[])(const struct rl_judging *) = {claim_slope, claim_parallax, claim_parallax_slope,
+                                                           claim_seam};
+        for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
+            status = claim[k](&j);
+    }
+    return status;
+}

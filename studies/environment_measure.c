@@ -1,0 +1,151 @@
+/* Measures the cases of the study `environment` (see environment.h). */
+#include <math.h>
+#include <stdbool.h>
+
+#include "measure/metrics.h"
+#include "measure/statistics.h"
+#include "studies/environment.h"
+#include "studies/seeds.h"
+
+static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
+{
+    return rl_record_metric_add(r, name, x.value, x.low, x.high, "1", error);
+}
+
+static struct rl_interval root_of(struct rl_interval square)
+{
+    return (struct rl_interval){rl_root(square.value), rl_root(square.low), rl_root(square.high)};
+}
+
+static int draw(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
+                const struct rl_record *r, struct rl_error *error)
+{
+    struct rl_bench_scene *set = NULL;
+    int status = rl_bench_scene_make(&set, bench, scene, r->parameters, 1, error);
+    if (status == RL_OK)
+        status = rl_seeds_draw(s, bench, set, rl_parameter_number(r->parameters, "seeds"), error);
+    rl_bench_scene_free(set);
+    return status;
+}
+
+/* Between pictures of the same seeds. A texel's border moves some normals from light to dark, which is noise of its own: floor_map
+ * is without it. */
+static int add_difference(struct rl_record *r, const struct rl_seeds *s, const struct rl_seeds *base,
+                          struct rl_error *error)
+{
+    double mse[RL_SEEDS_MAX];
+    struct rl_seeds difference = {0};
+    struct rl_bias_variance split = {0};
+    int status = rl_seeds_difference(&difference, s, base, error);
+    for (size_t k = 0; k < s->n && status == RL_OK; k++) {
+        struct rl_metrics m;
+        status = rl_metrics_compute(&m, &s->image[k], &base->image[k], error);
+        mse[k] = m.rmse * m.rmse;
+    }
+    if (status == RL_OK) /* counts what is not finite, too */
+        status = rl_seeds_split(&split, &difference, NULL, error);
+    rl_seeds_clear(&difference);
+    if (status == RL_OK)
+        status = add(r, "rmse_map", root_of(rl_mean_interval(mse, s->n, 0.95)), error);
+    return status == RL_OK
+               ? add(r, "floor_map",
+                     root_of((struct rl_interval){split.bias2, split.bias2_low, split.bias2_high}), error)
+               : status;
+}
+
+static int add_floor(struct rl_record *r, const struct rl_seeds *s, const struct rl_image *centre,
+                     struct rl_error *error)
+{
+    struct rl_bias_variance split;
+    int status = rl_seeds_split(&split, s, centre, error);
+    return status == RL_OK
+               ? add(r, "floor_centre",
+                     root_of((struct rl_interval){split.bias2, split.bias2_low, split.bias2_high}), error)
+               : status;
+}
+
+/* Maps against the first record's; `with_floor`: against the reference too. */
+static int measure_maps(struct rl_record *records, size_t n, struct rl_bench *bench,
+                        const struct rl_scene *scene, bool with_floor, struct rl_error *error)
+{
+    struct rl_seeds base = {0};
+    const struct rl_image *centre = NULL;
+    int status = draw(&base, bench, scene, &records[0], error);
+    if (status == RL_OK && with_floor)
+        status =
+            rl_bench_reference(&centre, bench, scene, records[0].parameters, RL_LIGHT_FROM_OBJECT, error);
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        struct rl_seeds s = {0};
+        status = draw(&s, bench, scene, &records[i], error);
+        if (status == RL_OK && i > 0)
+            status = add_difference(&records[i], &s, &base, error);
+        if (status == RL_OK && with_floor)
+            status = add_floor(&records[i], &s, centre, error);
+        rl_seeds_clear(&s);
+    }
+    rl_seeds_clear(&base);
+    return status;
+}
+
+/* The first light alone, turned to a place of the cube. */
+static int measure_seam(struct rl_record *records, size_t n, struct rl_bench *bench,
+                        const struct rl_scene *scene, struct rl_error *error)
+{
+    const char *p = records[0].parameters;
+    double many = rl_parameters_match(p, "place=corner") ? 1.0 : 0.0;
+    double two = rl_parameters_match(p, "place=edge") ? 1.0 : many;
+    struct rl_environment_move move = {1.0, v3_normalize(v3(1.0, two, many))};
+    struct rl_scene copy;
+    int status = rl_environment_scene_make(&copy, scene, &move, error);
+    if (status != RL_OK)
+        return status;
+    status = measure_maps(records, n, bench, &copy, false, error);
+    rl_environment_scene_free(&copy);
+    return status;
+}
+
+static int add_parallax(struct rl_record *r, struct rl_bench *bench, const struct rl_scene *scene,
+                        struct rl_error *error)
+{
+    const struct rl_image *point = NULL, *centre = NULL;
+    struct rl_metrics m = {0};
+    int status = rl_bench_reference(&point, bench, scene, r->parameters, RL_LIGHT_FROM_POINT, error);
+    if (status == RL_OK)
+        status = rl_bench_reference(&centre, bench, scene, r->parameters, RL_LIGHT_FROM_OBJECT, error);
+    if (status == RL_OK)
+        status = rl_metrics_compute(&m, centre, point, error);
+    /* Each of both may be off by the tolerance. */
+    double t = 2.0 * rl_parameter_number(r->parameters, "tolerance");
+    if (status == RL_OK)
+        status = add(r, "parallax", (struct rl_interval){m.rmse, fmax(0.0, m.rmse - t), m.rmse + t}, error);
+    const struct rl_object *object = &scene->object[rl_environment_object(scene)];
+    double size = object->radius / v3_length(v3_sub(scene->light[0].centre, object->centre));
+    return status == RL_OK ? add(r, "size", (struct rl_interval){size, size, size}, error) : status;
+}
+
+static int measure_parallax(struct rl_record *records, size_t n, struct rl_bench *bench,
+                            const struct rl_scene *scene, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        struct rl_environment_move move = {.away = rl_parameter_number(records[i].parameters, "away")};
+        struct rl_scene copy;
+        status = rl_environment_scene_make(&copy, scene, &move, error);
+        if (status != RL_OK)
+            return status;
+        status = add_parallax(&records[i], bench, &copy, error);
+        rl_environment_scene_free(&copy);
+    }
+    return status;
+}
+
+int rl_environment_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
+                           const struct rl_scene *scene, struct rl_error *error)
+{
+    const char *p = records[0].parameters;
+    if (rl_parameters_match(p, "series=parallax"))
+        return measure_parallax(records, n, bench, scene, error);
+    if (rl_parameters_match(p, "series=seam"))
+        return measure_seam(records, n, bench, scene, error);
+    return measure_maps(records, n, bench, scene, rl_parameters_match(p, "series=size"), error);
+}
