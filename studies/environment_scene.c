@@ -1,5 +1,6 @@
 /* Scenes whose lights are moved away and which are turned as a whole (see environment.h). */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,11 +35,11 @@ size_t rl_environment_object(const struct rl_scene *scene)
     return 0;
 }
 
-static void *copy_of(const void *data, size_t size)
+static void *copy_of(const void *data, size_t n, size_t size)
 {
-    void *copy = malloc(size ? size : 1);
-    if (copy && size)
-        memcpy(copy, data, size);
+    void *copy = calloc(n ? n : 1, size);
+    if (copy && n)
+        memcpy(copy, data, n * size);
     return copy;
 }
 
@@ -47,22 +48,22 @@ static void *copy_of(const void *data, size_t size)
 static int copy_arrays(struct rl_scene *copy, const struct rl_scene *scene, struct rl_error *error)
 {
     bool full = true;
-    copy->material = copy_of(scene->material, scene->n_materials * sizeof *scene->material);
-    copy->object = copy_of(scene->object, scene->n_objects * sizeof *scene->object);
-    copy->light = copy_of(scene->light, scene->n_lights * sizeof *scene->light);
+    copy->material = copy_of(scene->material, scene->n_materials, sizeof *scene->material);
+    copy->object = copy_of(scene->object, scene->n_objects, sizeof *scene->object);
+    copy->light = copy_of(scene->light, scene->n_lights, sizeof *scene->light);
     for (size_t i = 0; copy->object && i < scene->n_objects; i++) {
         struct rl_mesh *mesh = &copy->object[i].mesh;
-        mesh->position = copy_of(mesh->position, mesh->n_vertices * sizeof *mesh->position);
-        mesh->normal = copy_of(mesh->normal, mesh->n_vertices * sizeof *mesh->normal);
+        mesh->position = copy_of(mesh->position, mesh->n_vertices, sizeof *mesh->position);
+        mesh->normal = copy_of(mesh->normal, mesh->n_vertices, sizeof *mesh->normal);
         full = full && mesh->position && mesh->normal;
     }
     for (size_t i = 0; copy->light && i < scene->n_lights; i++) {
         struct rl_light *light = &copy->light[i];
-        light->polygon = copy_of(light->polygon, light->n_polygons * sizeof *light->polygon);
+        light->polygon = copy_of(light->polygon, light->n_polygons, sizeof *light->polygon);
         full = full && light->polygon;
         for (size_t k = 0; light->polygon && k < light->n_polygons; k++) {
             struct rl_polygon *p = &light->polygon[k];
-            p->vertex = copy_of(p->vertex, (size_t)p->n * sizeof *p->vertex);
+            p->vertex = copy_of(p->vertex, (size_t)p->n, sizeof *p->vertex);
             full = full && p->vertex;
         }
     }
@@ -130,8 +131,10 @@ int rl_environment_scene_make(struct rl_scene *copy, const struct rl_scene *scen
         rl_environment_scene_free(copy);
         return status;
     }
-    const double key[] = {move->away, move->direction.x, move->direction.y, move->direction.z};
-    copy->hash = rl_hash_bytes(scene->hash, key, sizeof key);
+    char key[128];
+    int n = snprintf(key, sizeof key, "away=%.17g direction=%.17g,%.17g,%.17g", move->away, move->direction.x,
+                     move->direction.y, move->direction.z);
+    copy->hash = rl_hash_bytes(scene->hash, key, (size_t)n);
     struct turn t = {{v3(1.0, 0.0, 0.0), v3(0.0, 1.0, 0.0), v3(0.0, 0.0, 1.0)}};
     if (v3_length(move->direction) > 0.0) {
         rl_vec3 from = v3_sub(scene->light[0].centre, scene->object[rl_environment_object(scene)].centre);

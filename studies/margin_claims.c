@@ -72,24 +72,28 @@ static int claim_any_bound(const struct rl_judging *j)
     return RL_OK;
 }
 
-/* Whether the share of energy that an arm misses is small enough, along R_r. */
+/* Whether the share of energy that an arm misses is small enough, along the R_r where it has a sphere. */
 static int claim_energy(const struct rl_judging *j, const double *rr, size_t n, const char *arm,
                         const char *text, double bound)
 {
     struct rl_claim *c = rl_judging_claim(j, text);
     if (!c)
         return RL_ERR_SYSTEM;
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    enum rl_verdict verdict[RL_AXIS_MAX];
+    double judged[RL_AXIS_MAX];
+    size_t n_judged = 0;
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, arm, rr[i], "missed");
-        if (!m)
+        const struct rl_metric *spheres = find(j, arm, rr[i], "spheres");
+        if (!m || !spheres || !(spheres->value > 0.0))
             continue;
-        verdict[i] = rl_verdict_at_most(m->low, m->high, bound);
+        judged[n_judged] = rr[i];
+        verdict[n_judged++] = rl_verdict_at_most(m->low, m->high, bound);
         rl_judging_note(c, rr[i], m->value);
-        if (rr[i] == rl_central_rr(rr, n))
+        if (n_judged == 1 || rr[i] == rl_central_rr(rr, n))
             rl_claim_value(c, m->value, m->low, m->high, "of the highlight");
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_along(c, judged, verdict, n_judged);
     return RL_OK;
 }
 

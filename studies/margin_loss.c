@@ -150,7 +150,7 @@ static int add_exact(struct rl_record *r, const struct rl_image *drawn, const st
     size_t n = (size_t)drawn->width * (size_t)drawn->height, shiny = 0, skipped = 0, compared = 0;
     double worst = 0.0;
     for (size_t i = 0; i < n; i++) {
-        const float *h = &truth->highlight.data[4 * i];
+        const float *h = truth->highlight.data + 4 * i;
         bool out = truth->drawn.data[i] > 0.5f && drawn->data[i] < 0.5f;
         shiny += truth->drawn.data[i] > 0.5f;
         skipped += out;

@@ -53,7 +53,9 @@ static void add_rr(struct rl_run *run, const struct world *w, double rr, double 
     metric(r, "worst_exact", sphere ? w->worst : 0.0, 1e-4);
     metric(r, "missed", sphere ? w->missed : 0.0, 1e-4);
     metric(r, "time_to_off", sphere ? time : 1.0, 0.01);
-    metric(arm(run, "0.5", rr), "missed", rr > 10.0 ? w->missed_half : 0.2, 1e-4);
+    r = arm(run, "0.5", rr);
+    metric(r, "spheres", 1.0, 0.0);
+    metric(r, "missed", rr > 10.0 ? w->missed_half : 0.2, 1e-4);
     r = rl_run_add(run, &place, 1000 + (int)rr, NULL, "series=bound loss=0.1 rr=%g", rr);
     metric(r, "spheres", sphere, 0.0);
     metric(r, "bound", 0.1, 0.0);
@@ -103,8 +105,9 @@ static void test_flips(void **state)
     assert_int_equal(judge(w, energy).verdict, RL_VERDICT_HOLDS);
     w.missed = 0.05;
     c = judge(w, energy);
-    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO); /* where there is no sphere */
-    assert_string_equal(c.unit, "R_r and rougher");
+    assert_int_equal(
+        c.verdict, RL_VERDICT_FAILS); /* that nothing is missed at R_r 3, without a sphere, does not count */
+    assert_true(c.value == 0.05);
 
     static const char half[] = "1.5 times as large";
     w = usual;
