@@ -49,10 +49,10 @@ struct places {
 
 /* LANES lines' own axes, and their zones once they are needed. */
 struct line_group {
-    const struct rl_lines *lines;
     vd cos_theta, sin_theta, v_t, v_b;
-    bool has_zones;
     struct angles phi, bound[RL_ZONES + 1];
+    const struct rl_lines *lines;
+    bool has_zones;
 };
 
 static inline struct angles unit(vd s, vd c)

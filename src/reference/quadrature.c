@@ -82,7 +82,7 @@ static double place_node(const struct change *c, double u, double *derivative)
 static bool evaluate(struct work *work, double f[RL_QUADRATURE_COMPONENTS][RL_RULE_BATCH],
                      const struct piece *piece, const struct change *change, int first, int n)
 {
-    double x[RL_RULE_BATCH], derivative[RL_RULE_BATCH];
+    double x[RL_RULE_BATCH] = {0.0}, derivative[RL_RULE_BATCH] = {0.0};
     for (int i = 0; i < n; i++) {
         double t = rl_rule_node(first + 2 * i);
         double u = 0.5 * ((1.0 - t) * piece->u0 + (1.0 + t) * piece->u1);

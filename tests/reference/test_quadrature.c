@@ -68,8 +68,6 @@ static double kink(double x)
     return fabs(x - 0.37);
 }
 
-#define ROOT_CUBED(x) ((x)*__builtin_sqrt(x))
-
 /* Over [0, 1]; in one application of the rule where `most` is its 15 points. */
 static const struct {
     const char *name;
@@ -84,10 +82,8 @@ static const struct {
     {"square root at b", mirrored_root, false, true, 0, 0, 1.0, 1e-13, 15},
     {"square roots at both ends", both_roots, true, true, 0, 0, 1.0, 1e-13, 45},
     {"unmarked square root", root, false, false, 0, 0, 1.0, 1e-9, 2000},
-    {"square root before a", root_before, true, false, 1e-3, 0,
-     2.0 / 3.0 * (ROOT_CUBED(1.001) - ROOT_CUBED(1e-3)), 1e-13, 15},
-    {"square roots around", roots_around, true, true, 1e-3, 1e-2,
-     2.0 / 3.0 * (ROOT_CUBED(1.001) - ROOT_CUBED(1e-3) + ROOT_CUBED(1.01) - ROOT_CUBED(1e-2)), 1e-13, 15},
+    {"square root before a", root_before, true, false, 1e-3, 0, 0.667645834773947828, 1e-13, 15},
+    {"square roots around", roots_around, true, true, 1e-3, 1e-2, 1.3436707932627544395, 1e-13, 15},
     {"step", step, false, false, 0, 0, 1.0 / RL_PI, 1e-9, 2000},
     {"narrow spike", spike, false, false, 0, 0, 0, 1e-9, 2000},
     {"kink", kink, false, false, 0, 0, 0.5 * (0.37 * 0.37 + 0.63 * 0.63), 1e-12, 2000},
@@ -124,7 +120,7 @@ struct data {
 
 static struct data at_nodes(double (*f)(double x, double parameter), double parameter)
 {
-    struct data d;
+    struct data d = {{0.0}, {0.0}};
     for (int i = 0; i < RL_RULE_NODES; i++)
         *(i % 2 ? &d.gauss[i / 2] : &d.rest[i / 2]) = f(rl_rule_node(i), parameter);
     return d;
@@ -175,7 +171,8 @@ static void test_errors_look_at_the_data(void **state)
     struct data d = at_nodes(sextic, 1.0);
     check_near(rl_rule_kronrod(d.gauss, d.rest, &error), 2.0 - 2.0 / 7.0, 1e-15);
     assert_true(error < 1e-13);
-    for (double c = 1.02; c < 9.0; c *= 1.1) {
+    for (int i = 0; i < 24; i++) {
+        double c = 1.02 * pow(1.1, i);
         double exact = log((c + 1.0) / (c - 1.0)), small;
         d = at_nodes(pole, c);
         double off = fabs(rl_rule_kronrod(d.gauss, d.rest, &error) - exact);

@@ -88,7 +88,7 @@ static double value(const struct rl_record *r, const char *metric)
     const struct rl_metric *m = rl_record_metric(r, metric);
     if (!m)
         fail_msg("no metric %s of %s", metric, r->parameters);
-    return m->value;
+    return m ? m->value : NAN;
 }
 
 /* Few points and small budgets: milliseconds. */
