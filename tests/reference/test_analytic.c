@@ -89,6 +89,20 @@ static void test_half_space(void **state)
     }
 }
 
+/* P just above a light so large that it fills the half space: how near its plane P may be before it counts as lying in it. */
+static void test_close_to_the_plane(void **state)
+{
+    (void)state;
+    const struct rl_surface s = {v3(0, 0, 0), v3(0, 0, 1), v3(0, 0, 1)};
+    static const double heights[] = {1e-6, 1e-7, 3e-8};
+    for (size_t i = 0; i < LENGTH(heights); i++) {
+        double h = heights[i];
+        const struct shape light = {4, {{1e6, 1e6, h}, {-1e6, 1e6, h}, {-1e6, -1e6, h}, {1e6, -1e6, h}}};
+        for (size_t j = 0; j < LENGTH(ratios); j++)
+            check_near(value_of(&s, ratios[j], &light, 1, j % 2, 1e-11), hemisphere(ratios[j], j % 2), 1e-10);
+    }
+}
+
 /* A small square of solid angle 4e-8 about a direction, facing P. */
 static struct shape small_light(rl_vec3 direction)
 {
@@ -161,6 +175,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_wedges),
         cmocka_unit_test(test_half_space),
+        cmocka_unit_test(test_close_to_the_plane),
         cmocka_unit_test(test_reciprocity),
         cmocka_unit_test(test_energy),
     };
