@@ -64,7 +64,7 @@ static unsigned check_panel(const struct view *v, const struct rl_panel *panel, 
         for (int c = 0; c < (v->set->grey ? 1 : 3) && !(flags >> i & 1U); c++)
             check_near(value[c][i], alone[c], tolerance);
         if (!(flags >> i & 1U) && 2 <= i && i <= 5)
-            check_near(value[3][i], alone[3], 1e-15 + 0.01 * alone[3]);
+            assert_true(value[3][i] <= 3.0 * alone[3] + 1e-16 && 3.0 * value[3][i] >= alone[3] - 1e-16);
     }
     return again;
 }
