@@ -215,6 +215,11 @@ static inline vd inner_integral(struct line_group *g, const struct places *a, co
     return attenuated(g, a->at, b->at);
 }
 
+static inline vm doubtful(const struct rl_limit *limit, const struct places *p)
+{
+    return limit->way == 0.0 ? (vm){0} : p->at.c < 1e-7;
+}
+
 /* Lines i = 0 .. LANES - 1; returns a bit for each that is out of order. */
 static unsigned integrate_group(double *value[4], const struct rl_lines *lines,
                                 const struct rl_stretch *stretch, size_t n_stretches, const double *theta)
@@ -237,6 +242,9 @@ static unsigned integrate_group(double *value[4], const struct rl_lines *lines,
             sum[c] += inner * radiance[c];
         sum[3] += set->brightest * (rounding(lines->e, from.at) + rounding(lines->e, to.at));
         disorder = disorder | (from.at.s < before - 1e-12) | (to.at.s < from.at.s - 1e-12);
+        if (!lines
+                 ->attenuation) /* at an end of the line, rounding may take a crossing for one at the other */
+            disorder = disorder | doubtful(&stretch[i].from, &from) | doubtful(&stretch[i].to, &to);
         before = to.at.s;
     }
     for (int c = 0; c < 4; c++)
