@@ -12,6 +12,7 @@
 
 #include "reference/integrators.h"
 #include "scene/scene.h"
+#include "studies/judged.h"
 #include "studies/points.h"
 #include "studies/study.h"
 
@@ -292,16 +293,8 @@ static struct rl_claim judge(struct world w, const char *words)
 {
     struct rl_run run;
     make(&run, &w);
-    struct rl_claims claims = {0};
-    assert_int_equal(study()->judge(&claims, &run, NULL), RL_OK);
-    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    for (size_t i = 0; i < claims.n; i++)
-        if (strstr(claims.claim[i].text, words))
-            found = claims.claim[i];
-    rl_claims_clear(&claims);
+    struct rl_claim found = claim_of("accuracy", &run, words);
     rl_run_clear(&run);
-    if ((int)found.verdict < 0)
-        fail_msg("no claim says '%s'", words);
     return found;
 }
 
@@ -370,16 +363,7 @@ static void test_missing(void **state)
     (void)state;
     struct rl_run run;
     make(&run, &usual);
-    for (size_t i = 0; i < run.n_records; i++)
-        run.record[i].status = i % 2 ? RL_RECORD_PLANNED : RL_RECORD_FAILED;
-    struct rl_claims claims = {0};
-    assert_int_equal(study()->judge(&claims, &run, NULL), RL_OK);
-    assert_true(claims.n >= 15);
-    for (size_t i = 0; i < claims.n; i++) {
-        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
-        assert_true(isnan(claims.claim[i].value));
-    }
-    rl_claims_clear(&claims);
+    check_undecided("accuracy", &run, 15);
     rl_run_clear(&run);
 }
 

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "studies/judged.h"
 #include "studies/study.h"
 
 static const struct rl_place place = {"budget", "made-up", "made-up.yaml", 1};
@@ -46,16 +47,8 @@ static struct rl_claim judge(struct world w, const char *words)
     assert_int_equal(rl_record_metric_add(&run.record[4], "interaction_share", w.interaction,
                                           w.interaction - 0.01, w.interaction + 0.01, "1", NULL),
                      RL_OK);
-    struct rl_claims claims = {0};
-    assert_int_equal(rl_study_find("budget")->judge(&claims, &run, NULL), RL_OK);
-    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    for (size_t i = 0; i < claims.n; i++)
-        if (strstr(claims.claim[i].text, words))
-            found = claims.claim[i];
-    rl_claims_clear(&claims);
+    struct rl_claim found = claim_of("budget", &run, words);
     rl_run_clear(&run);
-    if ((int)found.verdict < 0)
-        fail_msg("no claim says '%s'", words);
     return found;
 }
 

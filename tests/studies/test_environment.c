@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "studies/environment.h"
+#include "studies/judged.h"
 #include "studies/runner.h"
 #include "support/check.h"
 
@@ -114,17 +115,9 @@ static void make(struct rl_run *run, const struct world *w)
 static struct rl_claim judge(struct world w, const char *words)
 {
     struct rl_run run;
-    struct rl_claims claims = {0};
     make(&run, &w);
-    assert_int_equal(rl_study_find("environment")->judge(&claims, &run, NULL), RL_OK);
-    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    for (size_t i = 0; i < claims.n; i++)
-        if (strstr(claims.claim[i].text, words))
-            found = claims.claim[i];
-    rl_claims_clear(&claims);
+    struct rl_claim found = claim_of("environment", &run, words);
     rl_run_clear(&run);
-    if ((int)found.verdict < 0)
-        fail_msg("no claim says '%s'", words);
     return found;
 }
 

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "model/random.h"
+#include "studies/judged.h"
 #include "studies/study.h"
 
 enum { ROUNDS = 60 };
@@ -47,16 +48,8 @@ static struct rl_claim judge(struct world w, const char *words)
     for (int i = 0; i < 6; i++)
         if (arm[i].ms > 0.0)
             add_arm(&run, arm[i].arm, arm[i].ms, i, &w);
-    struct rl_claims claims = {0};
-    assert_int_equal(rl_study_find("fps")->judge(&claims, &run, NULL), RL_OK);
-    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    for (size_t i = 0; i < claims.n; i++)
-        if (strstr(claims.claim[i].text, words))
-            found = claims.claim[i];
-    rl_claims_clear(&claims);
+    struct rl_claim found = claim_of("fps", &run, words);
     rl_run_clear(&run);
-    if ((int)found.verdict < 0)
-        fail_msg("no claim says '%s'", words);
     return found;
 }
 

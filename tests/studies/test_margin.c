@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "studies/judged.h"
 #include "studies/study.h"
 
 static const struct rl_place place = {"margin", "made-up", "made-up.yaml", 1};
@@ -68,16 +69,8 @@ static struct rl_claim judge(struct world w, const char *words)
     add_rr(&run, &w, 3.0, w.time);
     add_rr(&run, &w, 100.0, w.time);
     add_rr(&run, &w, 300.0, w.time_300);
-    struct rl_claims claims = {0};
-    assert_int_equal(rl_study_find("margin")->judge(&claims, &run, NULL), RL_OK);
-    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    for (size_t i = 0; i < claims.n; i++)
-        if (strstr(claims.claim[i].text, words))
-            found = claims.claim[i];
-    rl_claims_clear(&claims);
+    struct rl_claim found = claim_of("margin", &run, words);
     rl_run_clear(&run);
-    if ((int)found.verdict < 0)
-        fail_msg("no claim says '%s'", words);
     return found;
 }
 

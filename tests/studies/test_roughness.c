@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "base/progress.h"
+#include "studies/judged.h"
 #include "studies/roughness.h"
 #include "studies/runner.h"
 
@@ -87,16 +88,7 @@ static void make(struct rl_run *run, const struct world *w)
 
 static struct rl_claim judge(const struct rl_run *run, const char *words)
 {
-    struct rl_claims claims = {0};
-    assert_int_equal(rl_study_find("roughness")->judge(&claims, run, NULL), RL_OK);
-    struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    for (size_t i = 0; i < claims.n; i++)
-        if (strstr(claims.claim[i].text, words))
-            found = claims.claim[i];
-    rl_claims_clear(&claims);
-    if ((int)found.verdict < 0)
-        fail_msg("no claim says '%s'", words);
-    return found;
+    return claim_of("roughness", run, words);
 }
 
 static struct rl_claim claim_in(struct world w, const char *words)
@@ -161,16 +153,7 @@ static void nothing_measured_is_inconclusive(void **state)
     (void)state;
     struct rl_run run;
     make(&run, &usual);
-    for (size_t i = 0; i < run.n_records; i++)
-        run.record[i].status = i % 2 ? RL_RECORD_PLANNED : RL_RECORD_FAILED;
-    struct rl_claims claims = {0};
-    assert_int_equal(rl_study_find("roughness")->judge(&claims, &run, NULL), RL_OK);
-    assert_true(claims.n >= 8);
-    for (size_t i = 0; i < claims.n; i++) {
-        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
-        assert_true(isnan(claims.claim[i].value));
-    }
-    rl_claims_clear(&claims);
+    check_undecided("roughness", &run, 8);
     rl_run_clear(&run);
 }
 
