@@ -29,27 +29,22 @@ struct seams {
     struct seam seam[SEAMS_MOST];
 };
 
-/* An edge as an arc between two unit directions, less than half a turn. */
-struct arc {
-    rl_vec3 m, from, to;
-};
-
-static struct arc arc_of(const struct rl_lines *lines, const struct rl_seen_polygon *polygon, size_t i)
+static const struct rl_edge *edge_of(const struct rl_lines *lines, const struct rl_seen_polygon *polygon,
+                                     size_t i)
 {
-    const struct rl_edge *edge = &lines->edge[polygon->first + i];
-    return (struct arc){edge->m, edge->start, edge->end};
+    return &lines->edge[polygon->first + i];
 }
 
-static bool parted(rl_vec3 m, const struct arc *arc)
+static bool parted(rl_vec3 m, const struct rl_edge *arc)
 {
-    return (v3_dot(m, arc->from) > 0.0) != (v3_dot(m, arc->to) > 0.0);
+    return (v3_dot(m, arc->start) > 0.0) != (v3_dot(m, arc->end) > 0.0);
 }
 
 /* Of the two directions where the great circle m crosses that of the arc, the one on the arc. */
-static rl_vec3 meeting(rl_vec3 m, const struct arc *arc)
+static rl_vec3 meeting(rl_vec3 m, const struct rl_edge *arc)
 {
     rl_vec3 L = v3_normalize(v3_cross(m, arc->m));
-    return v3_dot(L, v3_add(arc->from, arc->to)) < 0.0 ? v3_scale(-1.0, L) : L;
+    return v3_dot(L, v3_add(arc->start, arc->end)) < 0.0 ? v3_scale(-1.0, L) : L;
 }
 
 static void add(struct found *found, rl_vec3 L)
@@ -68,17 +63,18 @@ static bool same(rl_vec3 a, rl_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-static bool joined(const struct arc *a, const struct arc *b)
+static bool joined(const struct rl_edge *a, const struct rl_edge *b)
 {
-    return same(a->from, b->from) || same(a->from, b->to) || same(a->to, b->from) || same(a->to, b->to);
+    return same(a->start, b->start) || same(a->start, b->end) || same(a->end, b->start) ||
+           same(a->end, b->end);
 }
 
-static void arcs_cross(struct found *found, const struct arc *a, const struct arc *b)
+static void edges_cross(struct found *found, const struct rl_edge *a, const struct rl_edge *b)
 {
     if (!parted(a->m, b) || !parted(b->m, a) || joined(a, b))
         return;
     rl_vec3 L = meeting(a->m, b);
-    if (v3_dot(L, v3_add(a->from, a->to)) > 0.0)
+    if (v3_dot(L, v3_add(a->start, a->end)) > 0.0)
         add(found, L);
 }
 
@@ -87,9 +83,9 @@ static size_t seam_ends(rl_vec3 end[], size_t n, const struct rl_lines *lines, r
                         const struct rl_seen_polygon *polygon)
 {
     for (size_t i = 0; i < polygon->n && n < SEAM_ENDS_MOST; i++) {
-        struct arc arc = arc_of(lines, polygon, i);
-        if (parted(m, &arc))
-            end[n++] = meeting(m, &arc);
+        const struct rl_edge *edge = edge_of(lines, polygon, i);
+        if (parted(m, edge))
+            end[n++] = meeting(m, edge);
     }
     return n;
 }
@@ -137,7 +133,6 @@ static void seam_breaks(struct found *found, const struct seams *seams, size_t i
 {
     const struct rl_lines *lines = found->lines;
     const struct seam *seam = &seams->seam[index];
-    struct arc arc = {seam->edge.m, seam->edge.start, seam->edge.end};
     if (found->n + RL_BREAKS_OF_EDGE <= found->most)
         found->n += rl_breaks_of_edge(found->breaks + found->n, lines, &seam->edge);
     else
@@ -145,27 +140,19 @@ static void seam_breaks(struct found *found, const struct seams *seams, size_t i
     add(found, seam->edge.end);
     for (size_t p = 0; p < lines->n_polygons; p++)
         for (size_t i = 0; i < lines->polygon[p].n; i++) {
-            struct arc edge = arc_of(lines, &lines->polygon[p], i);
             if (&lines->polygon[p] != seam->a && &lines->polygon[p] != seam->b)
-                arcs_cross(found, &arc, &edge);
+                edges_cross(found, &seam->edge, edge_of(lines, &lines->polygon[p], i));
         }
-    for (size_t i = 0; i < index; i++) {
-        const struct rl_edge *other = &seams->seam[i].edge;
-        struct arc edge = {other->m, other->start, other->end};
-        arcs_cross(found, &arc, &edge);
-    }
+    for (size_t i = 0; i < index; i++)
+        edges_cross(found, &seam->edge, &seams->seam[i].edge);
 }
 
 static void polygons_cross(struct found *found, struct seams *seams, const struct rl_seen_polygon *a,
                            const struct rl_seen_polygon *b)
 {
-    for (size_t i = 0; i < a->n; i++) {
-        struct arc one = arc_of(found->lines, a, i);
-        for (size_t j = 0; j < b->n; j++) {
-            struct arc other = arc_of(found->lines, b, j);
-            arcs_cross(found, &one, &other);
-        }
-    }
+    for (size_t i = 0; i < a->n; i++)
+        for (size_t j = 0; j < b->n; j++)
+            edges_cross(found, edge_of(found->lines, a, i), edge_of(found->lines, b, j));
     find_seams(seams, found, a, b);
 }
 
@@ -206,9 +193,8 @@ size_t rl_overlap_breaks(struct rl_break *breaks, bool *complete, const struct r
     for (size_t i = 0; i < n_items; i++)
         for (size_t j = i + 1; j < n_items && extent[j].low <= extent[i].high; j++)
             if (lines->merged) {
-                struct arc a = arc_of(lines, polygon, extent[i].index),
-                           b = arc_of(lines, polygon, extent[j].index);
-                arcs_cross(&found, &a, &b);
+                edges_cross(&found, edge_of(lines, polygon, extent[i].index),
+                            edge_of(lines, polygon, extent[j].index));
             } else {
                 polygons_cross(&found, &seams, &polygon[extent[i].index], &polygon[extent[j].index]);
             }
