@@ -42,6 +42,7 @@ static int claim_cost(const view *v, double tolerance, double bar_us)
     struct rl_claim *c = rl_accuracy_claim(v, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "quad";
     const struct rl_record *r = find_points(v, "reference", "quad", tolerance);
     const struct rl_metric *m = r ? rl_record_metric(r, "time_us") : NULL;
     if (!m)
@@ -74,6 +75,7 @@ static int claim_ratio(const view *v)
            "that says it converged and is right, one quad light");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "quad";
     const struct rl_record *uv = find_points(v, "cubature-uv", "quad", 1e-5),
                            *reference = find_points(v, "reference", "quad", 1e-5);
     if (!uv || !reference)
@@ -129,6 +131,7 @@ static int claim_share(const view *v, const char *integrator, const char *metric
     double n = 0.0;
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "quad";
     if (!share_over_cases(&share, &n, v, integrator, metric))
         return RL_OK;
     rl_claim_value(c, share.value, share.low, share.high, "of all cases");
@@ -150,6 +153,7 @@ static int claim_no_truth(const view *v)
     double n = 0.0;
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "star";
     if (!share_over_cases(&share, &n, v, "cubature-uv", "bounded"))
         return RL_OK;
     rl_claim_value(c, share.value, share.low, share.high, "of all cases");
@@ -182,6 +186,7 @@ static int claim_growth_of_reference(const view *v)
     struct rl_interval a = {NAN, NAN, NAN};
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "quad";
     if (!growth(&a, v, "reference", 1e-2, 1e-12))
         return RL_OK;
     rl_claim_value(c, a.value, a.low, a.high, "exponent");
@@ -197,6 +202,7 @@ static int claim_growth_of_montecarlo(const view *v)
     struct rl_interval a = {NAN, NAN, NAN};
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "quad";
     if (!growth(&a, v, "montecarlo", 3e-3, 1e-3))
         return RL_OK;
     rl_claim_value(c, a.value, a.low, a.high, "exponent");
@@ -212,6 +218,7 @@ static int claim_kernel(const view *v)
         v, "exhaustive's inner loop takes at least 1e9 texel-normals per second on two threads");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "kernel";
     const struct rl_record *best = NULL; /* the last is that of the best instruction set */
     for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, "part=kernel threads=2"));)
         best = r;

@@ -54,6 +54,7 @@ static int claim_seconds(const view *v, double bar)
     struct rl_claim *c = begin_claim(v, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "seconds";
     const struct rl_series *s =
         seconds_of(v, "part=images method=reference tolerance=1e-06 threads=2 width=640 height=480");
     if (!s)
@@ -72,6 +73,7 @@ static int claim_speed_up(const view *v)
         begin_claim(v, "two threads draw the image to 1e-6 at least 1.8 times as fast as one");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "seconds";
     const struct rl_record *one = rl_run_find(v->run, v->scene,
                                               "part=images method=reference tolerance=1e-06 threads=1"),
                            *two = rl_run_find(v->run, v->scene,
@@ -96,6 +98,7 @@ static int claim_growth(const view *v)
     struct rl_claim *c = begin_claim(v, "an image to 1e-8 takes at most twice as long as one to 1e-3");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "seconds";
     const struct rl_series *coarse = seconds_of(v, "part=images method=reference tolerance=0.001"),
                            *fine = seconds_of(v, "part=images method=reference tolerance=1e-08");
     if (!coarse || !fine)
@@ -114,6 +117,7 @@ static int claim_exhaustive(const view *v)
         v, "exhaustive draws an image at 1e9 texel-normals per second or more on two threads, all included");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "seconds";
     const struct rl_record *r =
         rl_run_find(v->run, v->scene, "part=images method=exhaustive threads=2 width=640 height=480");
     if (!r)

@@ -33,7 +33,7 @@ static enum rl_verdict both(enum rl_verdict a, enum rl_verdict b)
 
 /* A metric that is small beside the noise and beside 1/255. Where the highlight has no noise, the first says nothing. */
 struct smallness {
-    const char *text, *what, *metric, *of_noise; /* a NULL: not asked for */
+    const char *text, *figure, *what, *metric, *of_noise; /* a NULL: not asked for */
 };
 
 static int claim_small(const struct rl_judging *j, const double *rr, size_t n, const struct smallness *s)
@@ -41,6 +41,7 @@ static int claim_small(const struct rl_judging *j, const double *rr, size_t n, c
     struct rl_claim *c = rl_judging_claim(j, s->text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = s->figure;
     enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = s->metric ? find(j, s->what, rr[i], s->metric) : NULL;
@@ -66,36 +67,36 @@ static int claim_bits(const struct rl_judging *j, const double *rr, size_t n)
         {"paper: 8 bits (a step of 2/256) make almost no difference: bias below a tenth of the noise at N = "
          "4 "
          "and below 1/255",
-         "series=normals normal_bits=8", "bias", "bias_of_noise"},
-        {"ours: of this, the bias of 8-bit normals is below 1/255", "series=normals normal_bits=8", "bias",
-         NULL},
+         "normals", "series=normals normal_bits=8", "bias", "bias_of_noise"},
+        {"ours: of this, the bias of 8-bit normals is below 1/255", "normals", "series=normals normal_bits=8",
+         "bias", NULL},
         {"ours: 6 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
-         "series=normals normal_bits=6", "bias", "bias_of_noise"},
+         "normals", "series=normals normal_bits=6", "bias", "bias_of_noise"},
         {"ours: 10 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
-         "series=normals normal_bits=10", "bias", "bias_of_noise"},
+         "normals", "series=normals normal_bits=10", "bias", "bias_of_noise"},
         {"ours: 12 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
-         "series=normals normal_bits=12", "bias", "bias_of_noise"},
+         "normals", "series=normals normal_bits=12", "bias", "bias_of_noise"},
         {"ours: 16 bits make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
-         "series=normals normal_bits=16", "bias", "bias_of_noise"},
+         "normals", "series=normals normal_bits=16", "bias", "bias_of_noise"},
         {"ours: halves make almost no difference (bias below a tenth of the noise at N = 4 and below 1/255)",
-         "series=normals normal_bits=half", "bias", "bias_of_noise"},
-        {"ours: 13 regular normals rounded to 8 bits change the picture by less than 1/255",
+         "normals", "series=normals normal_bits=half", "bias", "bias_of_noise"},
+        {"ours: 13 regular normals rounded to 8 bits change the picture by less than 1/255", "regular",
          "series=regular normal_bits=8", "change", NULL},
-        {"ours: 13 regular normals rounded to 10 bits change the picture by less than 1/255",
+        {"ours: 13 regular normals rounded to 10 bits change the picture by less than 1/255", "regular",
          "series=regular normal_bits=10", "change", NULL},
         {"ours: an environment map of 8 bits is enough: it changes the picture by less than a tenth of the "
          "noise at N = 4 and 1/255",
-         "series=environment env_format=rgba8", "change", "change_of_noise"},
+         "formats", "series=environment env_format=rgba8", "change", "change_of_noise"},
         {"ours: an environment map r11g11b10f changes the picture by less than a tenth of the noise at N = 4 "
          "and 1/255",
-         "series=environment env_format=r11g11b10f", "change", "change_of_noise"},
+         "formats", "series=environment env_format=r11g11b10f", "change", "change_of_noise"},
         {"ours: a frame buffer of 8 bits is enough: it changes the picture by less than a tenth of the "
          "noise "
          "at N = 4 and 1/255",
-         "series=frame frame_format=rgba8", "change", "change_of_noise"},
+         "formats", "series=frame frame_format=rgba8", "change", "change_of_noise"},
         {"ours: a frame buffer r11g11b10f changes the picture by less than a tenth of the noise at N = 4 and "
          "1/255",
-         "series=frame frame_format=r11g11b10f", "change", "change_of_noise"},
+         "formats", "series=frame frame_format=r11g11b10f", "change", "change_of_noise"},
     };
     int status = RL_OK;
     for (size_t k = 0; k < sizeof row / sizeof row[0] && status == RL_OK; k++)
@@ -110,6 +111,7 @@ static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
                                              "13 (ratio of their bias to its change)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "regular";
     enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *random = find(j, "series=normals normal_bits=8", rr[i], "bias");
@@ -150,13 +152,13 @@ static int claim_time(const struct rl_judging *j)
         {"ours: normal maps of 16 bits cost at most 5 % more frame time than those of 8", "16"},
         {"ours: normal maps of floats cost at most 5 % more frame time than those of 8 bits", "float"},
     };
-    struct rl_interval same = time_ratio(j, "8-again");
-    double noise = fmax(same.high - 1.0, 1.0 - same.low);
     for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
         struct rl_claim *c = rl_judging_claim(j, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
-        struct rl_interval t = time_ratio(j, row[k].arm);
+        c->figure = "time";
+        struct rl_interval t = time_ratio(j, row[k].arm), same = time_ratio(j, "8-again");
+        double noise = fmax(same.high - 1.0, 1.0 - same.low);
         if (isnan(t.value))
             continue;
         rl_claim_value(c, t.value, t.low, t.high, "times");

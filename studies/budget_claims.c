@@ -41,6 +41,7 @@ static int claim_share(const struct rl_judging *j, const double *rr, size_t n, c
     struct rl_claim *c = rl_judging_claim(j, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "smoother";
     enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, arm, rr[i], "share");
@@ -64,6 +65,7 @@ static int claim_second(const struct rl_judging *j, double rr)
            "(ratio of RMSE to the next)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "sources";
     const struct rl_metric *position = find(j, "parallax", rr, "rmse"), *next = NULL;
     const char *name = NULL;
     for (int i = 0; i < SINGLES; i++) {
@@ -90,6 +92,7 @@ static int claim_dominates(const struct rl_judging *j, double rr)
         j, "ours: one approximation dominates: its squared error is at least twice that of any other");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "sources";
     const char *first = largest(j, rr, ""), *second = first ? largest(j, rr, first) : NULL;
     const struct rl_metric *a = first ? find(j, first, rr, "mse") : NULL;
     const struct rl_metric *b = second ? find(j, second, rr, "mse") : NULL;
@@ -108,6 +111,7 @@ static int claim_interaction(const struct rl_judging *j, double rr)
                                              "interaction left over is within 10 % of it");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "sources";
     const struct rl_metric *m = find(j, "all", rr, "interaction_share"), *all = find(j, "all", rr, "rmse");
     if (!m || !all)
         return RL_OK;

@@ -101,6 +101,7 @@ static int claim_inverse(const struct view *v)
                        "delta and theta pass; the cdf is within 0.01)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "fit";
     double smallest = 1.0;
     for (const struct rl_record *r = NULL;
          (r = rl_run_next(v->run, r, RL_NO_SCENE, "series=map normal_bits=float"));)
@@ -125,6 +126,7 @@ static int claim_cdf(const struct view *v, const char *bits, const char *text)
     struct rl_claim *c = begin_claim(v, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "fit";
     enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, bits, v->rr[i]);
@@ -146,6 +148,7 @@ static int claim_chi_square(const struct view *v, const char *bits, const char *
     struct rl_claim *c = begin_claim(v, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "histogram";
     enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     double level = rl_sidak_level(RL_DISTRIBUTION_LEVEL, v->n_tests);
     for (size_t i = 0; i < v->n_rr; i++) {
@@ -171,6 +174,7 @@ static int claim_tilt_8(const struct view *v)
                        "step of 2/255, zero having no level of its own");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "tilt";
     size_t with_zero = 0;
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, "8", v->rr[i]);
@@ -194,6 +198,7 @@ static int claim_tilt_half(const struct view *v)
                        "the mean normal by less than 1 % of the lobe's median delta");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "tilt";
     enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, "half", v->rr[i]);
@@ -218,6 +223,7 @@ static int claim_width(const struct view *v)
                        "10 %)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "width";
     enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, "8", v->rr[i]);
@@ -255,6 +261,7 @@ static int claim_restarted(const struct view *v)
                        "of noise (share of the squared error, at least 0.9, N = 4)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "generators";
     const struct rl_metric *share = at_point(v, "lcg", "float", "bias_share"),
                            *bias = at_point(v, "lcg", "float", "floor"),
                            *noise = at_point(v, "lcg", "float", "noise"),
@@ -276,6 +283,7 @@ static int claim_baked(const struct view *v)
                        "within 1/255, float map)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "generators";
     const struct rl_metric *b = at_point(v, "baked", "float", "bias"),
                            *eight = at_point(v, "baked", "8", "bias");
     if (!b || !eight)
@@ -294,6 +302,7 @@ static int claim_hash(const struct view *v)
                        "noise, to within 5 %, N = 4)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "generators";
     const struct rl_metric *a = at_point(v, "baked", "float", "noise"),
                            *b = at_point(v, "hash", "float", "noise");
     if (!a || !b || !(b->low > 0.0))

@@ -13,12 +13,13 @@
 static const double seam_bound = 1.25;
 
 /* A figure of one case against one step of an 8-bit frame buffer. */
-static int claim_step(const struct rl_judging *j, const char *pattern, const char *metric, const char *text,
-                      const char *note)
+static int claim_step(const struct rl_judging *j, const char *figure, const char *pattern, const char *metric,
+                      const char *text, const char *note)
 {
     struct rl_claim *c = rl_judging_claim(j, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = figure;
     const struct rl_metric *m = rl_judging_metric(j, pattern, metric);
     if (!m)
         return RL_OK;
@@ -51,6 +52,7 @@ static int claim_slope(const struct rl_judging *j)
         j, "ours: the map's error falls at least in proportion to its texels' size (slope at most -1)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "size";
     double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX], base[RL_AXIS_MAX];
     size_t n_base = rl_judging_axis(j, "series=size base=1", "env_size", base), kept = 0;
     size_t n = points(j, "series=size base=0", "env_size", "floor_map", size, rmse);
@@ -69,23 +71,27 @@ static int claim_slope(const struct rl_judging *j)
  * the smallest one. */
 static int claim_parallax(const struct rl_judging *j)
 {
+    int status =
+        claim_step(j, "parallax", "series=parallax away=1", "parallax",
+                   "paper: one map for a whole object serves: its parallax is at most 1/255 here", "");
+    if (status != RL_OK)
+        return status;
+    struct rl_claim *c = &j->claims->claim[j->claims->n - 1];
     double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
     size_t n = points(j, "series=parallax", "size", "parallax", size, rmse), below = 0;
-    char note[128] = "";
     while (below < n && rmse[below] > RL_STEP_OF_8_BITS)
         below++;
     if (n > 0 && below == n)
-        snprintf(note, sizeof note,
+        snprintf(c->note, sizeof c->note,
                  "object's radius over the light's distance %.3g; the smallest measured, %.3g: %.3g", size[0],
                  size[n - 1], rmse[n - 1]);
     else if (below > 0) {
         double t = log(rmse[below - 1] / RL_STEP_OF_8_BITS) / log(rmse[below - 1] / rmse[below]);
-        snprintf(note, sizeof note,
+        snprintf(c->note, sizeof c->note,
                  "object's radius over the light's distance %.3g; 1/255 is reached at %.3g", size[0],
                  size[below - 1] * pow(size[below] / size[below - 1], t));
     }
-    return claim_step(j, "series=parallax away=1", "parallax",
-                      "paper: one map for a whole object serves: its parallax is at most 1/255 here", note);
+    return RL_OK;
 }
 
 static int claim_parallax_slope(const struct rl_judging *j)
@@ -95,6 +101,7 @@ static int claim_parallax_slope(const struct rl_judging *j)
            "within 0.15)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "parallax";
     double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
     size_t n = points(j, "series=parallax", "size", "parallax", size, rmse);
     struct rl_interval s = rl_loglog_slope(size, rmse, n, 0.95);
@@ -113,6 +120,7 @@ static int claim_seam(const struct rl_judging *j)
                                              "the error is at most 1.25 times that in a face's middle");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "seam";
     double size[RL_AXIS_MAX];
     size_t n = rl_judging_axis(j, "series=seam base=0", "env_size", size);
     static const char *const place[] = {"middle", "edge", "corner"};
@@ -137,11 +145,11 @@ int rl_environment_judge(struct rl_claims *claims, const struct rl_run *run, str
     const char *scene;
     for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
         struct rl_judging j = {run, scene, claims, error};
-        status = claim_step(&j, "series=size base=0 env_size=256", "rmse_map",
+        status = claim_step(&j, "size", "series=size base=0 env_size=256", "rmse_map",
                             "paper: 256 texels a face edge are enough: their error is at most 1/255",
                             "against the largest map, same seeds, float normals");
         if (status == RL_OK)
-            status = claim_step(&j, "series=format env_format=rgba8", "rmse_map",
+            status = claim_step(&j, "format", "series=format env_format=rgba8", "rmse_map",
                                 "paper: texels of 8 bits are enough: their error is at most 1/255",
                                 "against 32-bit floats, same seeds");
         int (*const claim[])(const struct rl_judging *) = {claim_slope, claim_parallax, claim_parallax_slope,

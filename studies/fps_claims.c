@@ -58,6 +58,7 @@ static int claim_random_faster(const struct view *v)
         begin_claim(v, "paper: 4 random normals are faster than 13 regular ones (paper: 38/28 = 1.36 times)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "rate";
     struct rl_interval times = ratio(v, "regular-13", "random-4");
     rl_claim_value(c, times.value, times.low, times.high, "times");
     snprintf(c->note, sizeof c->note,
@@ -74,6 +75,7 @@ static int claim_plain(const struct view *v)
            "plain against random 4 (to within a quarter)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "rate";
     double expected = RL_PAPER_PLAIN_FPS / RL_PAPER_RANDOM_FPS;
     struct rl_interval times = ratio(v, "random-4", "plain");
     rl_claim_value(c, times.value, times.low, times.high, "times");
@@ -88,6 +90,7 @@ static int claim_rate(const struct view *v, const char *arm, const char *text, d
     struct rl_claim *c = begin_claim(v, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "rate";
     const struct rl_series *s = frames(v, arm);
     if (!s)
         return RL_OK;
@@ -106,6 +109,7 @@ static int claim_noise_floor(const struct view *v, struct rl_interval same)
         begin_claim(v, "ours: the clock is fair: two arms of the same work differ by no more than 2 %");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "frames";
     rl_claim_value(c, same.value, same.low, same.high, "times");
     c->verdict = rl_verdict_equals(same.low, same.high, 1.0, 0.02);
     return RL_OK;
@@ -117,6 +121,7 @@ static int claim_environment(const struct view *v)
         v, "ours: drawing the environment map anew costs less than the frame of random 4 that uses it");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "rate";
     struct rl_interval times = ratio(v, "environment", "random-4");
     rl_claim_value(c, times.value, times.low, times.high, "of a frame");
     c->verdict = rl_verdict_at_most(times.low, times.high, 1.0);

@@ -65,6 +65,7 @@ static int claim_rotation(const struct view *v)
                        "width over the sphere, 1 to within 1 %)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "map";
     if (over_rr(c, v, "series=lobe", "width", "times"))
         c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.01);
     return RL_OK;
@@ -78,6 +79,7 @@ static int claim_formula(const struct view *v)
                        "(measured over expected width, 1 to within 1 %)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "width";
     over_rr(c, v, "series=lobe", "against_formula", "times");
     for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, "series=lobe"));) {
         const struct rl_metric *m = rl_record_metric(r, "against_formula");
@@ -95,6 +97,7 @@ static int claim_half(const struct view *v)
                        "than half its width");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "map";
     if (!over_rr(c, v, "series=lobe", "half", "of the sphere"))
         return RL_OK;
     append(c->note, sizeof c->note, "of small angles, by the formula", 1.0 - sqrt(0.75));
@@ -108,6 +111,7 @@ static int claim_light(const struct view *v, const char *text, const char *metri
     struct rl_claim *c = begin_claim(v, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "highlight";
     char pattern[64];
     snprintf(pattern, sizeof pattern, "series=light rr=%g", central_rr);
     for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, pattern));) {
@@ -137,6 +141,7 @@ static int claim_scene(const struct view *v)
         struct rl_claim *c = begin_claim(v, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
+        c->figure = "scene";
         if (over_rr(c, v, "series=scene", row[k].metric, row[k].unit))
             c->verdict = rl_verdict_at_most(c->low, c->high, step_of_8_bits);
     }

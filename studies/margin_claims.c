@@ -30,6 +30,7 @@ static int claim_bound(const struct rl_judging *j, const double *rr, size_t n)
         j, "ours: margin auto keeps its bound: no pixel loses more than 2 % of the light's radiance");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "bound";
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *spheres = find(j, "auto", rr[i], "spheres");
         const struct rl_metric *worst = find(j, "auto", rr[i], "worst_exact");
@@ -52,6 +53,7 @@ static int claim_any_bound(const struct rl_judging *j)
         j, "ours: the closed form keeps any bound that is asked for: worst pixel over bound, at most 1");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "bound";
     size_t n = 0;
     for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, "series=bound"));) {
         const struct rl_metric *worst = rl_record_metric(r, "worst_exact");
@@ -79,6 +81,7 @@ static int claim_energy(const struct rl_judging *j, const double *rr, size_t n, 
     struct rl_claim *c = rl_judging_claim(j, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "missed";
     enum rl_verdict verdict[RL_AXIS_MAX];
     double judged[RL_AXIS_MAX];
     size_t n_judged = 0;
@@ -121,6 +124,7 @@ static int claim_time(const struct rl_judging *j, const double *rr, size_t n)
                             "that without the pass, below 1 by more than noise");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "trade";
     enum rl_verdict verdict[RL_AXIS_MAX];
     double judged[RL_AXIS_MAX];
     size_t n_judged = 0;
@@ -153,6 +157,7 @@ static int claim_cost(const struct rl_judging *j, const double *rr, size_t n)
         j, "ours: the sphere pass itself is cheap: where it saves nothing it adds at most 10 % to the frame");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "trade";
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *times = find(j, "huge", rr[i], "time_to_off");
         if (!times)

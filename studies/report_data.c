@@ -5,8 +5,19 @@
 
 #include "base/files.h"
 #include "results/database.h"
+#include "results/trace.h"
 #include "studies/report.h"
 #include "studies/study.h"
+
+static int judge(struct rl_claims *claims, const struct rl_study *study, struct rl_run *run,
+                 struct rl_error *error)
+{
+    int status = rl_trace_begin(claims, run, error);
+    if (status == RL_OK)
+        status = study->judge(claims, run, error);
+    int ended = rl_trace_end(claims, status == RL_OK ? error : NULL);
+    return status == RL_OK ? ended : status;
+}
 
 int rl_report_load(struct rl_report_data *data, const char *path, struct rl_error *error)
 {
@@ -19,7 +30,7 @@ int rl_report_load(struct rl_report_data *data, const char *path, struct rl_erro
         status = rl_database_load_run(db, rl_studies[i]->name, &data->run[i], error);
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
         if (data->run[i].n_records > 0)
-            status = rl_studies[i]->judge(&data->claims, &data->run[i], error);
+            status = judge(&data->claims, rl_studies[i], &data->run[i], error);
     rl_database_close(db);
     if (status != RL_OK)
         rl_report_clear(data);

@@ -20,6 +20,7 @@ static int claim_at_most(const struct rl_judging *j, const double *rr, size_t n,
     struct rl_claim *c = rl_judging_claim(j, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "error";
     enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, what, rr[i], metric);
@@ -82,6 +83,7 @@ static int claim_needed(const struct rl_judging *j, const double *rr, size_t n)
         struct rl_claim *c = rl_judging_claim(j, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
+        c->figure = "needed";
         enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *m = find(j, row[k].what, rr[i], row[k].metric);
@@ -107,6 +109,7 @@ static int claim_extrapolation(const struct rl_judging *j, const double *rr, siz
            "smallest (ratio 1 to within a quarter, at every R_r)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "split";
     double N[RL_AXIS_MAX];
     size_t n_samples = rl_judging_axis(j, what, "samples", N);
     for (size_t i = 0; i < n && n_samples > 1; i++) {
@@ -143,6 +146,7 @@ static int claim_against(const struct rl_judging *j, const double *rr, size_t n)
         struct rl_claim *c = rl_judging_claim(j, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
+        c->figure = "error";
         enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *a =

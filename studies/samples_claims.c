@@ -30,6 +30,7 @@ static int claim_four(const struct rl_judging *v, const double *rr, size_t n)
         rl_judging_claim(v, "paper: 4 random normals a pixel suffice: RMSE at most 1/255 of full scale");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "error";
     enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(v, "random", 4, rr[i], "rmse");
@@ -73,6 +74,7 @@ static int claim_enough(const struct rl_judging *v, const double *rr, size_t n)
         v, "ours: some number of random normals up to the grid's largest brings RMSE to 1/255");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "error";
     enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
     for (size_t i = 0; i < n; i++) {
         double needed = samples_needed(v, rr[i], 0), high = samples_needed(v, rr[i], 1);
@@ -109,6 +111,7 @@ static int claim_slope(const struct rl_judging *v, const double *rr, size_t n)
         v, "ours: the noise of random normals falls as N^(-1/2) (slope -0.5 to within 0.01, at every R_r)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "split";
     for (size_t i = 0; i < n; i++) {
         struct rl_interval s = noise_slope(v, rr[i]);
         rl_judging_note(c, rr[i], s.value);
@@ -128,6 +131,7 @@ static int claim_bias_share(const struct rl_judging *v, const double *rr, size_t
                             "N most of the squared error is bias");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "split";
     for (size_t i = 0; i < n; i++) {
         char pattern[96];
         snprintf(pattern, sizeof pattern, "series=methods setting=paper method=random rr=%g", rr[i]);
@@ -176,6 +180,7 @@ static int claim_floor(const struct rl_judging *v)
         struct rl_claim *c = rl_judging_claim(v, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
+        c->figure = "floor";
         const struct rl_metric *best = n ? find_floor(v, size[n - 1], row[k].metric) : NULL;
         if (!best)
             continue;
@@ -195,6 +200,7 @@ static int claim_texels(const struct rl_judging *v)
         v, "ours: 256 texels are enough: their error is less than that of the map's single position (ratio)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "floor";
     const struct rl_metric *texels = find_floor(v, 256, "floor_centre"),
                            *position = find_floor(v, 256, "parallax");
     if (texels && position) {
@@ -220,6 +226,7 @@ static int claim_against_regular(const struct rl_judging *v, const double *rr, s
         struct rl_claim *c = rl_judging_claim(v, row[k].text);
         if (!c)
             return RL_ERR_SYSTEM;
+        c->figure = row[k].metric[0] == 'f' ? "split" : "error";
         enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *random = find(v, "random", 4, rr[i], row[k].metric);

@@ -63,7 +63,8 @@ struct rl_study {
      * for those of plan_alone. */
     int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                    struct rl_error *error);
-    /* Judges what was measured, scene by scene; a claim whose cases are missing is inconclusive. */
+    /* Judges what was measured, scene by scene; a claim whose cases are missing is inconclusive. A claim is begun before the figures it
+     * rests on are read: so it is known which cases it comes from (results/trace.h). */
     int (*judge)(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
 };
 
@@ -76,7 +77,7 @@ const struct rl_study *rl_study_find(const char *name);
 /* The options that give the run's grid again: "", " --quick", " --axis rr=1,2". */
 void rl_run_arguments(char text[], size_t size, const struct rl_run *run);
 
-/* Writes "roughlight study run NAME --scene SCENE" (without --scene for RL_NO_SCENE) with the run's grid into a claim, and the study's name. */
+/* Writes "roughlight study run NAME --scene SCENE" (without --scene for RL_NO_SCENE) with the run's grid into a claim, and the names of study and scene. */
 void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene);
 
 /* The i-th different scene among a run's records, by name, RL_NO_SCENE included; NULL past the last. */

@@ -106,6 +106,7 @@ void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const cha
     rl_run_arguments(grid, sizeof grid, run);
     bool alone = strcmp(scene, RL_NO_SCENE) == 0;
     snprintf(claim->study, sizeof claim->study, "%s", run->study);
+    snprintf(claim->scene, sizeof claim->scene, "%s", scene);
     snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s%s%.199s%s", run->study,
              alone ? "" : " --scene ", alone ? "" : word, grid);
 }

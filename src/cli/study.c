@@ -123,9 +123,10 @@ static void print_tables(void)
 {
     static const struct rl_column samples[] = {{.name = "study"},  {.name = "scene"}, {.name = "parameters"},
                                                {.name = "series"}, {.name = "index"}, {.name = "value"}};
-    static const struct rl_column claims[] = {{.name = "claim"}, {.name = "verdict"}, {.name = "value"},
-                                              {.name = "low"},   {.name = "high"},    {.name = "unit"},
-                                              {.name = "study"}, {.name = "command"}};
+    static const struct rl_column claims[] = {{.name = "claim"},  {.name = "verdict"}, {.name = "value"},
+                                              {.name = "low"},    {.name = "high"},    {.name = "unit"},
+                                              {.name = "study"},  {.name = "command"}, {.name = "scene"},
+                                              {.name = "figure"}, {.name = "note"},    {.name = "cases"}};
     printf("\nThe tables of export; columns are added at times, none is renamed. NAME_low and NAME_high: the "
            "95 %% interval of "
            "NAME.\n_ms, _px: the unit; without: a pure number, of radiance 1 = full scale. nan (JSON: null): "

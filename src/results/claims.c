@@ -5,8 +5,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "results/trace.h"
+
 struct rl_claim *rl_claims_add(struct rl_claims *claims, struct rl_error *error)
 {
+    if (rl_trace_take(claims, error) != RL_OK)
+        return NULL;
     struct rl_claim *grown = realloc(claims->claim, (claims->n + 1) * sizeof *grown);
     if (!grown) {
         rl_error_set(error, RL_ERR_SYSTEM, "out of memory for a list of claims");
@@ -20,6 +24,9 @@ struct rl_claim *rl_claims_add(struct rl_claims *claims, struct rl_error *error)
 
 void rl_claims_clear(struct rl_claims *claims)
 {
+    rl_trace_end(claims, NULL);
+    for (size_t i = 0; i < claims->n; i++)
+        free(claims->claim[i].identity);
     free(claims->claim);
     *claims = (struct rl_claims){0};
 }
@@ -67,10 +74,20 @@ const char *rl_verdict_name(enum rl_verdict verdict)
     }
 }
 
+/* The identities, with a blank between two. */
+static void export_cases(struct rl_export *table, const struct rl_claim *c)
+{
+    struct rl_buffer cases = {0};
+    for (size_t k = 0; k < c->n_cases; k++)
+        rl_buffer_printf(&cases, "%s%s", k ? " " : "", c->identity[k]);
+    rl_export_text(table, cases.data ? cases.data : "");
+    rl_buffer_clear(&cases);
+}
+
 void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enum rl_export_format format)
 {
-    static const char *const column[] = {"claim", "verdict", "value", "low",
-                                         "high",  "unit",    "study", "command"};
+    static const char *const column[] = {"claim", "verdict", "value", "low",    "high", "unit",
+                                         "study", "command", "scene", "figure", "note", "cases"};
     struct rl_export table;
     rl_export_begin(&table, out, format, column, sizeof column / sizeof column[0]);
     for (size_t i = 0; i < claims->n; i++) {
@@ -83,6 +100,10 @@ void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enu
         rl_export_text(&table, c->unit);
         rl_export_text(&table, c->study);
         rl_export_text(&table, c->command);
+        rl_export_text(&table, c->scene);
+        rl_export_text(&table, c->figure ? c->figure : "");
+        rl_export_text(&table, c->note);
+        export_cases(&table, c);
     }
     rl_export_end(&table);
 }

@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "results/buffer.h"
 #include "results/export.h"
 
@@ -28,12 +29,17 @@ struct rl_claim {
     char unit[64];
     char note[256]; /* one line beside the number: what it is, what it was held against */
     char study[64];
-    char command[800]; /* reproduces it; words quoted for a shell */
+    char scene[64];     /* as records name it */
+    const char *figure; /* of the study, that shows it; NULL: its first. A text that stays */
+    char command[800];  /* reproduces it; words quoted for a shell */
+    size_t n_cases;
+    char (*identity)[RL_HASH_TEXT]; /* of the cases that it comes from (see results/trace.h) */
 };
 
 struct rl_claims {
     size_t n;
     struct rl_claim *claim;
+    struct rl_trace *trace; /* NULL: none is at work */
 };
 
 /* A new claim, inconclusive and without a value; NULL with `error` filled if memory runs out. Valid until the next is added. */
@@ -53,7 +59,8 @@ enum rl_verdict rl_verdict_equals(double low, double high, double target, double
 /* "holds", "holds up to", "fails", "inconclusive". */
 const char *rl_verdict_name(enum rl_verdict verdict);
 
-/* claims.tsv: columns claim, verdict, value, low, high, unit, study, command. */
+/* claims.tsv: columns claim, verdict, value, low, high, unit, study, command, scene, figure, note, cases; `cases` are identities
+ * with a blank between two. */
 void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enum rl_export_format format);
 
 #endif

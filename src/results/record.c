@@ -187,8 +187,15 @@ bool rl_metric_timed(const struct rl_metric *m)
     return strncmp(m->name, "time_", 5) == 0 || strcmp(m->name, "frames") == 0;
 }
 
+static void note_read(const struct rl_record *record)
+{
+    if (record->mark)
+        *record->mark |= RL_RECORD_READ;
+}
+
 const struct rl_metric *rl_record_metric(const struct rl_record *record, const char *name)
 {
+    note_read(record);
     for (size_t i = 0; i < record->n_metrics; i++)
         if (strcmp(record->metric[i].name, name) == 0)
             return &record->metric[i];
@@ -197,6 +204,7 @@ const struct rl_metric *rl_record_metric(const struct rl_record *record, const c
 
 const struct rl_series *rl_record_series(const struct rl_record *record, const char *name)
 {
+    note_read(record);
     for (size_t i = 0; i < record->n_series; i++)
         if (strcmp(record->series[i].name, name) == 0)
             return &record->series[i];

@@ -22,6 +22,9 @@ enum { RL_NAME_MAX = 64, RL_PARAMETERS_MAX = 384, RL_SCENE_PATH_MAX = 512, RL_GR
 
 enum rl_record_status { RL_RECORD_PLANNED, RL_RECORD_OK, RL_RECORD_FAILED };
 
+/* What reading a figure adds to the mark that a record points at. */
+enum { RL_RECORD_READ = 1 };
+
 /* A figure with its 95 % interval; low = high = value where it has none to speak of. Unit "1": a pure number. */
 struct rl_metric {
     char name[RL_NAME_MAX], unit[RL_NAME_MAX];
@@ -44,8 +47,9 @@ struct rl_record {
     char identity[RL_HASH_TEXT]; /* see rl_run_identify */
     int group;
     enum rl_record_status status;
-    char message[512]; /* why it failed */
-    double seconds;    /* that its group took */
+    char message[512];   /* why it failed */
+    double seconds;      /* that its group took */
+    unsigned char *mark; /* where to note that a figure was read, or NULL (see results/trace.h) */
     size_t n_metrics, n_series;
     struct rl_metric *metric;
     struct rl_series *series;
@@ -107,7 +111,7 @@ int rl_record_series_add(struct rl_record *record, const char *name, const doubl
  * or it is a ratio of times ("time_...", "1") or the number of frames timed ("frames"). */
 bool rl_metric_timed(const struct rl_metric *metric);
 
-/* NULL if absent. */
+/* NULL if absent. Either notes that the record was read. */
 const struct rl_metric *rl_record_metric(const struct rl_record *record, const char *name);
 const struct rl_series *rl_record_series(const struct rl_record *record, const char *name);
 
