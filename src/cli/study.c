@@ -102,8 +102,9 @@ static int export_tables(const struct rl_arguments *a, struct rl_error *error)
     return rl_exit_of(status);
 }
 
-/* The columns of every table that export writes, wrapped. */
-static void print_columns(const char *name, const char *summary, const struct rl_column *column, size_t n)
+/* The columns of a table that export writes, wrapped; of one of cases, identity is the last. */
+static void print_columns(const char *name, const char *summary, const struct rl_column *column, size_t n,
+                          bool cases)
 {
     printf("  %s: %s\n     ", name, summary);
     size_t used = 5;
@@ -116,7 +117,7 @@ static void print_columns(const char *name, const char *summary, const struct rl
         printf(" %s", column[i].name);
         used += length;
     }
-    printf("\n");
+    printf("%s%s\n", cases ? " " : "", cases ? rl_identity_column : "");
 }
 
 static void print_tables(void)
@@ -131,16 +132,17 @@ static void print_tables(void)
            "95 %% interval of "
            "NAME.\n_ms, _px: the unit; without: a pure number, of radiance 1 = full scale. nan (JSON: null): "
            "not measured.\n"
+           "identity: the case, as `cases` of claims names those that a verdict comes from.\n"
            "studies/README.md says what each is.\n\n");
     for (size_t i = 0; i < rl_n_studies; i++)
         for (size_t t = 0; t < rl_studies[i]->n_tables; t++) {
             const struct rl_table *table = &rl_studies[i]->tables[t];
-            print_columns(table->name, table->summary, table->column, table->n_columns);
+            print_columns(table->name, table->summary, table->column, table->n_columns, true);
         }
     print_columns("frame_times", "every raw figure of every case, in the order taken", samples,
-                  sizeof samples / sizeof samples[0]);
+                  sizeof samples / sizeof samples[0], true);
     print_columns("claims", "every claim with its verdict and the command that reproduces it", claims,
-                  sizeof claims / sizeof claims[0]);
+                  sizeof claims / sizeof claims[0], false);
 }
 
 static int make_report(const struct rl_arguments *a, struct rl_error *error)

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char rl_identity_column[] = "identity";
+
 const char *rl_export_ending(enum rl_export_format format)
 {
     static const char *const ending[] = {
@@ -145,21 +147,25 @@ void rl_column_text(char text[], size_t size, const struct rl_column *c, const s
 void rl_export_run(struct rl_buffer *out, const struct rl_table *table, const struct rl_run *run,
                    enum rl_export_format format)
 {
-    const char *name[RL_TABLE_COLUMNS_MAX];
+    const char *name[RL_TABLE_COLUMNS_MAX + 1];
     for (size_t i = 0; i < table->n_columns; i++)
         name[i] = table->column[i].name;
+    name[table->n_columns] = rl_identity_column;
     struct rl_export t;
-    rl_export_begin(&t, out, format, name, table->n_columns);
-    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, table->pattern));)
+    rl_export_begin(&t, out, format, name, table->n_columns + 1);
+    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, table->pattern));) {
         for (size_t i = 0; i < table->n_columns; i++)
             export_column(&t, &table->column[i], r);
+        rl_export_text(&t, r->identity);
+    }
     rl_export_end(&t);
 }
 
 void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
                        enum rl_export_format format)
 {
-    static const char *const column[] = {"study", "scene", "parameters", "series", "index", "value"};
+    static const char *const column[] = {"study", "scene", "parameters",      "series",
+                                         "index", "value", rl_identity_column};
     struct rl_export t;
     rl_export_begin(&t, out, format, column, sizeof column / sizeof column[0]);
     for (size_t k = 0; k < n_runs; k++)
@@ -172,6 +178,7 @@ void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t 
                     rl_export_text(&t, r->series[s].name);
                     rl_export_number(&t, (double)i);
                     rl_export_number(&t, r->series[s].value[i]);
+                    rl_export_text(&t, r->identity);
                 }
     rl_export_end(&t);
 }

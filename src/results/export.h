@@ -56,7 +56,10 @@ struct rl_column {
 
 enum { RL_TABLE_COLUMNS_MAX = 48 };
 
-/* Every measured record whose parameters match `pattern` is a row. */
+/* The last column of every table of records: the case's identity (results/record.h), by which claims name their cases. */
+extern const char rl_identity_column[];
+
+/* Every measured record whose parameters match `pattern` is a row: the columns given, then its identity. */
 struct rl_table {
     const char *name;    /* of the file, without its ending */
     const char *summary; /* what it holds, one line */
@@ -68,7 +71,7 @@ struct rl_table {
 void rl_export_run(struct rl_buffer *out, const struct rl_table *table, const struct rl_run *run,
                    enum rl_export_format format);
 
-/* Raw samples of every record of the runs: columns study, scene, parameters, series, index, value. */
+/* Raw samples of every record of the runs: columns study, scene, parameters, series, index, value, identity. */
 void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
                        enum rl_export_format format);
 

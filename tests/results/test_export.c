@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -32,6 +33,7 @@ static void make_run(struct rl_run *run)
     rl_record_metric_add(r, "frame_ms", 0.1, 0.05, INFINITY, "ms", NULL);
     rl_record_series_add(r, "frame_ms", (double[]){0.1, 0.3}, 2, NULL);
     r->status = RL_RECORD_OK;
+    rl_hash_text(r->identity, 0xfedcba9876543210);
     r = rl_run_add(run, &place, 0, NULL, "kind=error method=random samples=4");
     r->status = RL_RECORD_OK;
     rl_run_add(run, &place, 0, NULL, "kind=time method=plain samples=1"); /* planned only */
@@ -51,17 +53,18 @@ static void test_tables(void **state)
     make_run(&run);
     struct rl_buffer text = {0};
     rl_export_run(&text, &table, &run, RL_EXPORT_TSV);
-    expect(&text, "scene\tscene_hash\tmethod\tsamples\tframe_ms\tframe_ms_low\tframe_ms_high\trmse\n"
-                  "a b\t00000000000000ff\trandom\t4\t0.1\t0.05\tinf\tnan\n");
+    expect(&text,
+           "scene\tscene_hash\tmethod\tsamples\tframe_ms\tframe_ms_low\tframe_ms_high\trmse\tidentity\n"
+           "a b\t00000000000000ff\trandom\t4\t0.1\t0.05\tinf\tnan\tfedcba9876543210\n");
     rl_export_run(&text, &table, &run, RL_EXPORT_JSON);
     expect(&text,
            "[\n  {\"scene\": \"a\\u0009b\", \"scene_hash\": \"00000000000000ff\", \"method\": \"random\", "
            "\"samples\": 4, \"frame_ms\": 0.1, \"frame_ms_low\": 0.05, \"frame_ms_high\": null, \"rmse\": "
-           "null}\n]\n");
+           "null, \"identity\": \"fedcba9876543210\"}\n]\n");
     rl_export_samples(&text, &run, 1, RL_EXPORT_TSV);
-    expect(&text, "study\tscene\tparameters\tseries\tindex\tvalue\n"
-                  "fps\ta b\tkind=time method=random samples=4\tframe_ms\t0\t0.1\n"
-                  "fps\ta b\tkind=time method=random samples=4\tframe_ms\t1\t0.3\n");
+    expect(&text, "study\tscene\tparameters\tseries\tindex\tvalue\tidentity\n"
+                  "fps\ta b\tkind=time method=random samples=4\tframe_ms\t0\t0.1\tfedcba9876543210\n"
+                  "fps\ta b\tkind=time method=random samples=4\tframe_ms\t1\t0.3\tfedcba9876543210\n");
     struct rl_run empty = {0};
     rl_export_run(&text, &table, &empty, RL_EXPORT_JSON);
     expect(&text, "[]\n");
@@ -99,8 +102,8 @@ static void test_csv(void **state)
     struct rl_buffer text = {0};
     make_run(&run);
     rl_export_run(&text, &table, &run, RL_EXPORT_CSV);
-    expect(&text, "scene,scene_hash,method,samples,frame_ms,frame_ms_low,frame_ms_high,rmse\r\n"
-                  "a\tb,00000000000000ff,random,4,0.1,0.05,inf,nan\r\n");
+    expect(&text, "scene,scene_hash,method,samples,frame_ms,frame_ms_low,frame_ms_high,rmse,identity\r\n"
+                  "a\tb,00000000000000ff,random,4,0.1,0.05,inf,nan,fedcba9876543210\r\n");
     rl_run_clear(&run);
     assert_string_equal(rl_export_ending(RL_EXPORT_CSV), ".csv");
 }
@@ -151,13 +154,24 @@ static void test_claims_table(void **state)
     snprintf(c->command, sizeof c->command, "roughlight study run fps");
     rl_claim_value(c, 1.5, 1.25, 1.75, "1");
     c->verdict = RL_VERDICT_HOLDS;
+    snprintf(c->scene, sizeof c->scene, "teapot-star");
+    c->figure = "rate";
+    snprintf(c->note, sizeof c->note, "by round");
+    char(*identity)[RL_HASH_TEXT] = malloc(2 * sizeof *identity); /* rl_claims_clear frees it */
+    assert_non_null(identity);
+    rl_hash_text(identity[0], 1);
+    rl_hash_text(identity[1], 2);
+    c->identity = identity;
+    c->n_cases = 2;
     c = rl_claims_add(&claims, NULL);
     snprintf(c->text, sizeof c->text, "ours: \"not\" measured");
     struct rl_buffer text = {0};
     rl_claims_export(&text, &claims, RL_EXPORT_TSV);
-    expect(&text, "claim\tverdict\tvalue\tlow\thigh\tunit\tstudy\tcommand\n"
-                  "paper: fast\tholds\t1.5\t1.25\t1.75\t1\tfps\troughlight study run fps\n"
-                  "ours: \"not\" measured\tinconclusive\tnan\tnan\tnan\t\t\t\n");
+    expect(&text,
+           "claim\tverdict\tvalue\tlow\thigh\tunit\tstudy\tcommand\tscene\tfigure\tnote\tcases\n"
+           "paper: fast\tholds\t1.5\t1.25\t1.75\t1\tfps\troughlight study run fps\tteapot-star\trate\tby "
+           "round\t0000000000000001 0000000000000002\n"
+           "ours: \"not\" measured\tinconclusive\tnan\tnan\tnan\t\t\t\t\t\t\t\n");
     rl_claims_export(&text, &claims, RL_EXPORT_JSON);
     assert_non_null(
         strstr(text.data,

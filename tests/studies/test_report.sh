@@ -115,7 +115,7 @@ check "and stops on Ctrl-C" [ $? -eq 130 ]
 
 "$rl" study export --db "$db" -o "$tmp/tables" && "$rl" study export --db "$db" --format json -o "$tmp/tables"
 check "claims.tsv has its columns" [ "$(head -n 1 "$tmp/tables/claims.tsv")" = \
-    "claim${tab}verdict${tab}value${tab}low${tab}high${tab}unit${tab}study${tab}command" ]
+    "claim${tab}verdict${tab}value${tab}low${tab}high${tab}unit${tab}study${tab}command${tab}scene${tab}figure${tab}note${tab}cases" ]
 check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.tsv" |
     grep -vx 'holds\|holds up to\|fails\|inconclusive')" ]
 check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 25 ]
