@@ -1,13 +1,16 @@
-# What all figures share. Scripts set `output` to the file's name and load this file; its ending, .svg or .png, decides the terminal.
+# What all figures share. Scripts set `output` to the file's name and load this file; its ending decides the terminal: .svg, .png, or
+# .small.png for a thumbnail, which is too small for words: they shrink to dots, and the curves get the room.
 #
 # Colours: the podo sequence of Okabe and Ito without its yellow, which is lost on white paper. Dashes and points differ too, so
 # that curves can be told apart in print and by readers who see colours differently.
 
 if (strlen(output) > 4 && output[strlen(output) - 3:] eq ".svg") {
     set terminal svg size 900, 620 dynamic font "DejaVu Sans,15" background "#ffffff" linewidth 1.4
+} else { if (strstrt(output, ".small.png") > 0) {
+    set terminal pngcairo size 320, 220 font "DejaVu Sans,15" background "#ffffff" linewidth 2 fontscale 0.1 pointscale 0.8
 } else {
     set terminal pngcairo size 1800, 1240 font "DejaVu Sans,15" background "#ffffff" linewidth 3 fontscale 1.8 pointscale 1.8
-}
+} }
 set output output
 
 set colorsequence podo
@@ -26,6 +29,7 @@ set tics nomirror
 set grid linecolor rgb "#e3e6e9" linewidth 0.7, linecolor rgb "#f0f2f4" linewidth 0.5
 set key at screen 0.5, 0.02 bottom center horizontal maxcols 2 samplen 3 spacing 1.15 width 1
 set bmargin 8.2
+if (strstrt(output, ".small.png") > 0) { set key at screen 0.5, -1 }
 set datafile separator tab
 set datafile columnheaders
 set datafile missing NaN

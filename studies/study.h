@@ -10,6 +10,7 @@
 #ifndef RL_STUDIES_STUDY_H
 #define RL_STUDIES_STUDY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/error.h"
@@ -76,6 +77,13 @@ const struct rl_study *rl_study_find(const char *name);
 
 /* The options that give the run's grid again: "", " --quick", " --axis rr=1,2". */
 void rl_run_arguments(char text[], size_t size, const struct rl_run *run);
+
+/* The command that measures the run's cases of n scenes, RL_NO_SCENE among them or not: "roughlight study run NAME --scene A --scene B
+ * --quick", words quoted for a shell; n = 0: those of the study's own scenes. */
+void rl_run_command(char text[], size_t size, const struct rl_run *run, const char *const *scenes, size_t n);
+
+/* Whether a run's scenes are those that the study runs on if none is given. */
+bool rl_run_has_own_scenes(const struct rl_run *run);
 
 /* Writes "roughlight study run NAME --scene SCENE" (without --scene for RL_NO_SCENE) with the run's grid into a claim, and the names of study and scene. */
 void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene);

@@ -95,18 +95,55 @@ void rl_run_arguments(char text[], size_t size, const struct rl_run *run)
     snprintf(text, size, "%s%s", is_default ? "" : " --", is_default ? axes : run->grid);
 }
 
-void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene)
+/* The scene's file as the user gave it. */
+static const char *scene_path(const struct rl_run *run, const char *scene)
 {
     const char *path = scene;
-    char word[200], grid[RL_GRID_MAX + 4];
     for (size_t i = 0; i < run->n_records; i++)
         if (strcmp(run->record[i].scene, scene) == 0)
             path = run->record[i].scene_path;
-    quote_word(word, sizeof word, path);
+    return path;
+}
+
+void rl_run_command(char text[], size_t size, const struct rl_run *run, const char *const *scenes, size_t n)
+{
+    char grid[RL_GRID_MAX + 4];
     rl_run_arguments(grid, sizeof grid, run);
-    bool alone = strcmp(scene, RL_NO_SCENE) == 0;
+    size_t used = (size_t)snprintf(text, size, "roughlight study run %.20s", run->study);
+    for (size_t i = 0; i < n && used < size; i++) {
+        char word[200];
+        if (strcmp(scenes[i], RL_NO_SCENE) == 0)
+            continue;
+        quote_word(word, sizeof word, scene_path(run, scenes[i]));
+        used += (size_t)snprintf(text + used, size - used, " --scene %s", word);
+    }
+    if (used < size)
+        snprintf(text + used, size - used, "%s", grid);
+}
+
+void rl_claim_source(struct rl_claim *claim, const struct rl_run *run, const char *scene)
+{
     snprintf(claim->study, sizeof claim->study, "%s", run->study);
     snprintf(claim->scene, sizeof claim->scene, "%s", scene);
-    snprintf(claim->command, sizeof claim->command, "roughlight study run %.20s%s%.199s%s", run->study,
-             alone ? "" : " --scene ", alone ? "" : word, grid);
+    rl_run_command(claim->command, sizeof claim->command, run, &scene, 1);
+}
+
+bool rl_run_has_own_scenes(const struct rl_run *run)
+{
+    const struct rl_study *study = rl_study_find(run->study);
+    size_t own = 0, found = 0;
+    const char *scene;
+    while (study && study->scenes[own])
+        own++;
+    for (size_t i = 0; (scene = rl_run_scene(run, i)); i++) {
+        bool known = strcmp(scene, RL_NO_SCENE) == 0;
+        for (size_t k = 0; k < own && !known; k++)
+            if (strcmp(study->scenes[k], scene_path(run, scene)) == 0) {
+                known = true;
+                found++;
+            }
+        if (!known)
+            return false;
+    }
+    return found == own;
 }

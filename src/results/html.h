@@ -14,8 +14,16 @@
 /* Text as it stands between tags or inside a quoted attribute. */
 void rl_html_text(struct rl_buffer *page, const char *text);
 
+/* Text as a file's name, an anchor or a part of a link, where it needs no more escaping: letters, digits and ._- stay, all else becomes
+ * its bytes in hexadecimal, "_20". */
+void rl_html_name(char name[], size_t size, const char *text);
+
 /* <tag>text</tag> */
 void rl_html_element(struct rl_buffer *page, const char *tag, const char *text);
+
+/* What rl_html_begin puts between <style> and </style>: for all pages, and for claims, pictures, and print. Two, since compilers need
+ * not take a text of more than 4095 bytes. */
+extern const char rl_html_style[], rl_html_style_of_claims[];
 
 void rl_html_begin(struct rl_buffer *page, const char *title);
 void rl_html_end(struct rl_buffer *page);

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/machine.h"
 #include "base/paths.h"
 
 enum { OUTPUT_MAX = 8192 };
@@ -110,13 +112,19 @@ static int run_gnuplot(char *const argv[], const char *script, struct rl_error *
     return status;
 }
 
+static int script_path(char path[PATH_MAX], const char *script, struct rl_error *error)
+{
+    char relative[128];
+    snprintf(relative, sizeof relative, "plots/%s", script);
+    return rl_path_data(path, PATH_MAX, relative, error);
+}
+
 int rl_plot(const char *script, const char *const arguments[], struct rl_error *error)
 {
-    char relative[128], path[PATH_MAX], style[PATH_MAX];
-    snprintf(relative, sizeof relative, "plots/%s", script);
-    int status = rl_path_data(path, sizeof path, relative, error);
+    char path[PATH_MAX], style[PATH_MAX];
+    int status = script_path(path, script, error);
     if (status == RL_OK)
-        status = rl_path_data(style, sizeof style, "plots/style.gp", error);
+        status = script_path(style, "style.gp", error);
     if (status != RL_OK)
         return status;
     /* posix_spawn takes char *const, but does not write to the words. */
@@ -124,4 +132,99 @@ int rl_plot(const char *script, const char *const arguments[], struct rl_error *
     for (size_t i = 0; i < RL_PLOT_ARGUMENTS_MAX && arguments[i]; i++)
         argv[4 + i] = (char *)arguments[i];
     return run_gnuplot(argv, script, error);
+}
+
+static int draw(struct rl_plot_figure *f, struct rl_error *error)
+{
+    char all[PATH_MAX], style[PATH_MAX], script[PATH_MAX];
+    int status = script_path(all, "figure.gp", error);
+    if (status == RL_OK)
+        status = script_path(style, "style.gp", error);
+    if (status == RL_OK)
+        status = script_path(script, f->script, error);
+    if (status != RL_OK)
+        return status;
+    char *argv[] = {(char *)"gnuplot", (char *)"-c",     all, style, script, (char *)f->tables, f->stem,
+                    (char *)f->name,   (char *)f->scene, NULL};
+    return run_gnuplot(argv, f->script, error);
+}
+
+/* What gnuplot left behind before it found nothing to draw. */
+static void remove_pictures(const struct rl_plot_figure *f)
+{
+    static const char *const ending[] = {"svg", "png", "small.png"};
+    char path[PATH_MAX + 16];
+    for (size_t k = 0; k < sizeof ending / sizeof ending[0]; k++) {
+        snprintf(path, sizeof path, "%s.%s", f->stem, ending[k]);
+        remove(path);
+    }
+}
+
+/* What the threads share. */
+struct drawing {
+    struct rl_plot_figure *figure;
+    size_t n, next, done;
+    const struct rl_progress *progress;
+    pthread_mutex_t lock; /* of all that follows and of next and done */
+    int status;
+    struct rl_error error;
+};
+
+/* The next figure, or NULL if there is none or it is time to stop. */
+static struct rl_plot_figure *take(struct drawing *d)
+{
+    struct rl_plot_figure *f = NULL;
+    pthread_mutex_lock(&d->lock);
+    if (d->status == RL_OK && rl_progress_cancelled(d->progress))
+        d->status = rl_fail(&d->error, RL_ERR_CANCELLED, "interrupted while the plots were drawn");
+    if (d->status == RL_OK && d->next < d->n)
+        f = &d->figure[d->next++];
+    pthread_mutex_unlock(&d->lock);
+    return f;
+}
+
+static void finish(struct drawing *d, struct rl_plot_figure *f, int status, const struct rl_error *error)
+{
+    pthread_mutex_lock(&d->lock);
+    f->missing = status == RL_ERR_CHECK; /* one scene without a highlight, say, does not cost the page */
+    if (f->missing)
+        remove_pictures(f);
+    /* Ctrl-C on a terminal ends gnuplot as well: that is no fault of the figure. */
+    else if (status != RL_OK && d->status == RL_OK && !rl_progress_cancelled(d->progress)) {
+        d->status = status;
+        d->error = *error;
+    }
+    rl_progress_update(d->progress, "plots", ++d->done, d->n);
+    pthread_mutex_unlock(&d->lock);
+}
+
+static void *work(void *user)
+{
+    struct drawing *d = user;
+    for (struct rl_plot_figure *f; (f = take(d));) {
+        struct rl_error error = {0};
+        int status = draw(f, &error);
+        finish(d, f, status, &error);
+    }
+    return NULL;
+}
+
+int rl_plot_figures(struct rl_plot_figure *figures, size_t n, int threads, const struct rl_progress *progress,
+                    struct rl_error *error)
+{
+    enum { THREADS_MAX = 64 };
+    struct drawing d = {.figure = figures, .n = n, .progress = progress, .lock = PTHREAD_MUTEX_INITIALIZER};
+    pthread_t thread[THREADS_MAX];
+    int started = 0, wanted = threads > 0 ? threads : rl_machine_threads();
+    /* This thread is one of them; where no more can be started, it does all. */
+    while (started + 1 < wanted && started < THREADS_MAX &&
+           pthread_create(&thread[started], NULL, work, &d) == 0)
+        started++;
+    work(&d);
+    while (started > 0)
+        pthread_join(thread[--started], NULL);
+    pthread_mutex_destroy(&d.lock);
+    if (d.status != RL_OK && error)
+        *error = d.error;
+    return d.status;
 }

@@ -1,124 +1,87 @@
-/* Verdicts, tables and provenance as HTML (see report.h). */
+/* Tables and provenance as HTML (see report.h). */
 #include "results/report.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char *verdict_class(enum rl_verdict verdict)
+/* A case may be in several tables; its anchor is in the first. */
+static bool shown_before(const struct rl_table *tables, size_t t, const struct rl_record *r)
 {
-    switch (verdict) {
-    case RL_VERDICT_HOLDS:
-        return "holds";
-    case RL_VERDICT_HOLDS_UP_TO:
-        return "upto";
-    case RL_VERDICT_FAILS:
-        return "fails";
-    default:
-        return "inconclusive";
-    }
+    for (size_t i = 0; i < t; i++)
+        if (rl_parameters_match(r->parameters, tables[i].pattern))
+            return true;
+    return false;
 }
 
-static void value_with_interval(struct rl_buffer *page, const struct rl_claim *c)
+/* Opens a row of a case, with its anchor if it is to have one. */
+static void begin_case(struct rl_buffer *page, const struct rl_record *r, bool anchor)
 {
-    char text[128];
-    if (isnan(c->value))
-        snprintf(text, sizeof text, "not measured");
-    else if (isinf(c->value))
-        snprintf(text, sizeof text, "more than was tried");
-    else if (c->low < c->value || c->high > c->value)
-        snprintf(text, sizeof text, "%.4g [%.4g, %.4g]", c->value, c->low, c->high);
+    if (anchor)
+        rl_buffer_printf(page, "<tr id=\"case-%s\">", r->identity);
     else
-        snprintf(text, sizeof text, "%.4g", c->value);
-    rl_html_text(page, text);
-    if (isfinite(c->value) && c->unit[0] && strcmp(c->unit, "1") != 0) {
-        rl_buffer_add(page, " ");
-        rl_html_text(page, c->unit);
-    }
+        rl_buffer_add(page, "<tr>");
 }
 
-/* Lines break between the words of a command, never at its hyphens. */
-static void command_words(struct rl_buffer *page, const char *command)
+static size_t count_rows(const struct rl_table *table, const struct rl_run *run)
 {
-    for (const char *at = command; *at;) {
-        char word[256];
-        size_t length = strcspn(at, " ");
-        snprintf(word, sizeof word, "%.*s", (int)length, at);
-        rl_buffer_add(page, "<span class=\"word\">");
-        rl_html_text(page, word);
-        rl_buffer_add(page, "</span>");
-        at += length;
-        size_t blanks = strspn(at, " ");
-        rl_buffer_add(page, blanks ? " " : "");
-        at += blanks;
-    }
+    size_t n = 0;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, table->pattern));)
+        n++;
+    return n;
 }
 
-static void claim_row(struct rl_buffer *page, const struct rl_claim *c)
+/* A table that fits the window is shown at once, a longer one when it is asked for. */
+static void begin_table(struct rl_buffer *page, const struct rl_table *table, size_t n_rows, const char *file)
 {
-    rl_buffer_add(page, "<tr><td>");
-    rl_html_text(page, c->text);
-    rl_buffer_printf(page, "</td><td><span class=\"verdict %s\">%s</span></td><td>",
-                     verdict_class(c->verdict), rl_verdict_name(c->verdict));
-    value_with_interval(page, c);
-    if (c->note[0]) {
-        rl_buffer_add(page, "<span class=\"note\">");
-        rl_html_text(page, c->note);
-        rl_buffer_add(page, "</span>");
-    }
-    rl_buffer_add(page, "</td><td data-label=\"Study\"><a href=\"#");
-    rl_html_text(page, c->study);
-    rl_buffer_add(page, "\">");
-    rl_html_text(page, c->study);
-    rl_buffer_add(page, "</a></td><td data-label=\"Command\"><code>");
-    command_words(page, c->command);
-    rl_buffer_add(page, "</code></td></tr>\n");
-}
-
-void rl_report_claims(struct rl_buffer *page, const struct rl_claims *claims)
-{
-    rl_buffer_add(
-        page,
-        "<table class=\"claims\"><thead><tr><th>Claim</th><th>Verdict</th><th>Value [95 % interval]</th>"
-        "<th>Study</th><th>Command</th></tr></thead>\n<tbody>\n");
-    for (size_t i = 0; i < claims->n; i++)
-        claim_row(page, &claims->claim[i]);
-    rl_buffer_add(page, "</tbody></table>\n");
-}
-
-void rl_report_count(char text[], size_t size, const struct rl_claims *claims)
-{
-    size_t n[4] = {0};
-    for (size_t i = 0; i < claims->n; i++)
-        n[claims->claim[i].verdict]++;
-    snprintf(text, size,
-             "Of %zu claims, %zu hold, %zu hold up to a point, %zu fail and %zu are inconclusive.", claims->n,
-             n[RL_VERDICT_HOLDS], n[RL_VERDICT_HOLDS_UP_TO], n[RL_VERDICT_FAILS], n[RL_VERDICT_INCONCLUSIVE]);
-}
-
-void rl_report_table(struct rl_buffer *page, const struct rl_table *table, const struct rl_run *run,
-                     const char *file)
-{
-    rl_buffer_add(page, "<details><summary>");
+    enum { SHORT = 16 };
+    rl_buffer_printf(page, "<details%s><summary>", n_rows <= SHORT ? " open" : "");
     rl_html_text(page, table->summary);
-    rl_buffer_add(page, "</summary>\n<p><a href=\"");
+    rl_buffer_printf(page, " (%zu rows)</summary>\n<p><a href=\"", n_rows);
     rl_html_text(page, file);
     rl_buffer_add(page, "\">");
     rl_html_text(page, file);
     rl_buffer_add(page, "</a></p>\n<div class=\"scroll\"><table class=\"data\"><thead><tr>");
     for (size_t i = 0; i < table->n_columns; i++)
         rl_html_element(page, "th", table->column[i].name);
-    rl_buffer_add(page, "</tr></thead>\n<tbody>\n");
+    rl_buffer_printf(page, "<th>%s</th></tr></thead>\n<tbody>\n", rl_identity_column);
+}
+
+void rl_report_table(struct rl_buffer *page, const struct rl_table *tables, size_t t,
+                     const struct rl_run *run, const char *file)
+{
+    const struct rl_table *table = &tables[t];
+    begin_table(page, table, count_rows(table, run), file);
     for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, table->pattern));) {
-        rl_buffer_add(page, "<tr>");
+        begin_case(page, r, !shown_before(tables, t, r));
         for (size_t i = 0; i < table->n_columns; i++) {
             char text[RL_NAME_MAX];
             rl_column_text(text, sizeof text, &table->column[i], r);
             rl_html_element(page, "td", text);
         }
-        rl_buffer_add(page, "</tr>\n");
+        rl_buffer_printf(page, "<td>%s</td></tr>\n", r->identity);
     }
     rl_buffer_add(page, "</tbody></table></div></details>\n");
+}
+
+void rl_report_other_cases(struct rl_buffer *page, const struct rl_table *tables, size_t n,
+                           const struct rl_run *run)
+{
+    bool begun = false;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, ""));) {
+        if (shown_before(tables, n, r))
+            continue;
+        if (!begun)
+            rl_buffer_add(page,
+                          "<details><summary>Cases that are in no table</summary>\n<div class=\"scroll\">"
+                          "<table class=\"data\"><tbody>\n");
+        begun = true;
+        begin_case(page, r, true);
+        rl_html_element(page, "td", r->scene);
+        rl_html_element(page, "td", r->parameters);
+        rl_buffer_printf(page, "<td>%s</td></tr>\n", r->identity);
+    }
+    if (begun)
+        rl_buffer_add(page, "</tbody></table></div></details>\n");
 }
 
 static void pair(struct rl_buffer *page, const char *name, const char *value)

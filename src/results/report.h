@@ -1,8 +1,7 @@
-/* The parts of the report page that come out of the results: verdicts, tables, provenance.
+/* The parts of the report's pages that come out of the results: tables, provenance. Verdicts: results/verdicts.h.
  *
  *     rl_html_begin(&page, title);
- *     rl_report_claims(&page, &claims);
- *     rl_report_table(&page, &table, &run);
+ *     rl_report_table(&page, study->tables, 0, &run, "samples.tsv");
  *     rl_html_end(&page);
  */
 #ifndef RL_RESULTS_REPORT_H
@@ -10,20 +9,18 @@
 
 #include <stddef.h>
 
-#include "results/claims.h"
 #include "results/export.h"
 #include "results/html.h"
 #include "results/record.h"
 
-/* The table of verdicts: claim, verdict, value with its 95 % interval, study, command. */
-void rl_report_claims(struct rl_buffer *page, const struct rl_claims *claims);
+/* The rows of the t-th of a study's tables in a box that scrolls, with the file that holds it. A row is the anchor case-IDENTITY unless
+ * an earlier table has the same case. */
+void rl_report_table(struct rl_buffer *page, const struct rl_table *tables, size_t t,
+                     const struct rl_run *run, const char *file);
 
-/* "3 of 8 claims hold, 1 holds up to a point, ..." as a text. */
-void rl_report_count(char text[], size_t size, const struct rl_claims *claims);
-
-/* The rows of a study's table in a box that scrolls, with the file that holds it. */
-void rl_report_table(struct rl_buffer *page, const struct rl_table *table, const struct rl_run *run,
-                     const char *file);
+/* The measured cases that none of the n tables has; nothing if there are none. */
+void rl_report_other_cases(struct rl_buffer *page, const struct rl_table *tables, size_t n,
+                           const struct rl_run *run);
 
 /* The run's scenes and their hashes; program, machine and renderer that measured it, unless `before`, the run shown
  * before it (or NULL), has the same. */

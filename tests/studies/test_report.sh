@@ -140,18 +140,65 @@ done
 "$rl" study report --db "$db" -o "$tmp/report" 2>"$tmp/stderr"
 check "the report is made" [ $? -eq 0 ]
 page=$tmp/report/index.html
-check "it refers to nothing outside" [ -z "$(grep -o '\(src\|href\)="[a-z]*:[^"]*"' "$page")" ]
-missing=$(grep -o '\(src\|href\)="[^"#][^"]*"' "$page" | sed 's/.*="//; s/"$//' | while read -r file; do
-    [ -s "$tmp/report/$file" ] || echo "$file"
+pages=$(cd "$tmp/report" && echo *.html)
+check "an overview, and a page a study ($pages)" [ "$pages" = "accuracy.html fps.html index.html samples.html" ]
+check "they refer to nothing outside" [ -z "$(grep -o '\(src\|href\)="[a-z]*:[^"]*"' "$tmp"/report/*.html)" ]
+# Every "page.html#anchor", "file" and "#anchor", held against the files that are there and the pages' anchors.
+broken=$(cd "$tmp/report" && awk '
+    FNR == 1 { file[FILENAME] = 1 }
+    { line = $0
+      while (match(line, / id="[^"]*"/)) {
+          name = substr(line, RSTART + 5, RLENGTH - 6)
+          if (id[FILENAME "#" name]++) print FILENAME ": twice the anchor " name
+          line = substr(line, RSTART + RLENGTH) }
+      line = $0
+      while (match(line, /(src|href)="[^"]*"/)) {
+          link = substr(line, RSTART, RLENGTH); sub(/^[^"]*"/, "", link); sub(/"$/, "", link)
+          links[++n] = link; from[n] = FILENAME
+          line = substr(line, RSTART + RLENGTH) } }
+    END { for (i = 1; i <= n; i++) {
+              target = links[i]; sub(/#.*/, "", target); if (target == "") target = from[i]
+              if (target in file) found = 1; else { found = (getline text < target) > 0; close(target) }
+              if (!found) print from[i] ": no file " links[i]
+              hash = index(links[i], "#")
+              if (hash && !((target substr(links[i], hash)) in id)) print from[i] ": no anchor " links[i] }
+          if (n < 300) print "only " n " links were looked at" }' $pages)
+check "every link leads somewhere, and every anchor is there once ($broken)" [ -z "$broken" ]
+# Every element that is opened is closed, in order: the pages have no attribute with > in it.
+unclosed=$(cd "$tmp/report" && for file in $pages; do
+    sed '1d; /^<style>/,/^<\/style>/d' "$file" | tr '\n' ' ' | grep -o '<[^>]*>' | awk -v file="$file" '
+        { tag = $0; gsub(/^<\/?|[ >].*$/, "", tag) }
+        tag ~ /^(meta|img|br|link)$/ { next }
+        /^<\// { if (stack[n] != tag) { print file ": </" tag "> closes <" stack[n] ">"; exit } n--; next }
+        { stack[++n] = tag }
+        END { if (n) print file ": <" stack[n] "> is never closed" }'
 done)
-check "every file it refers to is there ($missing)" [ -z "$missing" ]
+check "every element is closed ($unclosed)" [ -z "$unclosed" ]
+# A verdict's number leads to the cases that it comes from: those are in the tables, of the claim's own scene.
+traced=$(awk -F "$tab" '
+    FNR == 1 { for (i = 1; i <= NF; i++) c[FILENAME, $i] = i; if (FILENAME ~ /claims/) claims = FILENAME; next }
+    FILENAME != claims { scene[$(c[FILENAME, "identity"])] = c[FILENAME, "scene"] ? $(c[FILENAME, "scene"]) : "none"; next }
+    { n = split($(c[claims, "cases"]), identity, " "); value = $(c[claims, "value"]) }
+    value != "nan" && n == 0 { print "no cases: " $1 }
+    { for (i = 1; i <= n; i++) {
+          seen++
+          if (!(identity[i] in scene)) print "no such case " identity[i] ": " $1
+          else if (scene[identity[i]] != $(c[claims, "scene"])) print "a case of " scene[identity[i]] ": " $1 } }
+    END { if (seen < 60) print "only " seen " cases were looked at" }' \
+    "$tmp"/report/samples.tsv "$tmp"/report/fps.tsv "$tmp"/report/accuracy_*.tsv "$tmp"/report/claims.tsv)
+check "every verdict with a number names cases of its scene in the tables ($traced)" [ -z "$traced" ]
+shown=$(awk -F "$tab" 'NR > 1 && $10 != "" { print $7 "-" $10 "-" $9 ".small.png" }' "$tmp/report/claims.tsv" | sort -u)
+check "every claim names a figure" [ "$(awk -F "$tab" 'NR > 1 && $10 == ""' "$tmp/report/claims.tsv" | wc -l)" -eq 0 ]
+check "which is there" [ -z "$(for f in $shown; do [ -s "$tmp/report/$f" ] || echo "$f"; done)" ]
+check "and the overview shows one beside every claim" [ "$(grep -o 'class="whose' "$page" | wc -l)" -eq \
+    "$(grep -o 'class="small"' "$page" | wc -l)" ]
 check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
 for study in samples:4 fps:4 accuracy:5; do
     n=${study#*:} study=${study%:*}
-    check "every figure of $study is drawn, as SVG and as PNG" [ "$(ls "$tmp"/report/$study-*.svg | wc -l)" -eq $n \
-        -a "$(ls "$tmp"/report/$study-*.png | wc -l)" -eq $n ]
+    check "every figure of $study is drawn, as SVG, as PNG and in small" [ "$(ls "$tmp"/report/$study-*.svg | wc -l)" -eq $n \
+        -a "$(ls "$tmp"/report/$study-*.png | wc -l)" -eq $((2 * n)) -a "$(ls "$tmp"/report/$study-*.small.png | wc -l)" -eq $n ]
 done
-check "and none is missing" [ "$(grep -c 'nothing to draw' "$page")" -eq 0 ]
+check "and none is missing" [ "$(cat "$tmp"/report/*.html | grep -c 'nothing to draw')" -eq 0 ]
 cp shaders/methods/random.glsl "$tmp/empty/shaders/methods/"
 echo "oops oops" >>"$tmp/empty/plots/samples.gp"
 ROUGHLIGHT_DATA=$tmp/empty "$rl" study report --db "$db" -o "$tmp/broken-plots" 2>"$tmp/stderr"
@@ -169,20 +216,33 @@ if ! command -v chromium >/dev/null; then
     exit
 fi
 
-# A copy of the page that writes each image's width into the document once all are loaded.
-sed 's#</body>#<script>addEventListener("load", () => { for (const i of document.images) i.dataset.width = i.naturalWidth; });</script></body>#' \
-    "$page" >"$tmp/report/probe.html"
-browser --dump-dom "file://$tmp/report/probe.html" >"$tmp/dom.html"
-images=$(grep -c '<img' "$page")
-check "the browser sees every image" [ "$(grep -o 'data-width="[0-9]*"' "$tmp/dom.html" | wc -l)" -eq \
-    "$(grep -o '<img' "$page" | wc -l)" ]
-check "and each has a size" [ "$images" -gt 0 -a "$(grep -c 'data-width="0"' "$tmp/dom.html")" -eq 0 ]
-# Browsers write quotes in text as they are; the claims' only special characters are quotes and <.
-sed "s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g; s/&quot;/\"/g; s/&#39;/'/g" "$tmp/dom.html" >"$tmp/dom.txt"
-absent=$(column claim "$tmp/report/claims.tsv" | while read -r claim; do
-    grep -qF -- "$claim" "$tmp/dom.txt" || echo "$claim"
+# Copies of the pages that write each image's width and their own into the document once all is loaded, in one document of
+# frames, since it takes a browser a second to start. Nothing may be wider than a phone: pages scroll down, never sideways.
+for file in $pages; do
+    sed 's#</body>#<script>addEventListener("load", () => parent.postMessage({page: "'"$file"'", text: document.body.innerText, \
+        width: document.documentElement.scrollWidth, images: [...document.images].map(i => i.naturalWidth)}, "*"));</script></body>#' \
+        "$tmp/report/$file" >"$tmp/report/probe-$file"
+done
+{
+    echo '<!DOCTYPE html><meta charset="utf-8"><body><script>addEventListener("message", e => {
+        const p = document.createElement("pre"), d = e.data;
+        p.textContent = `\npage ${d.page} width ${d.width} images ${d.images.length} empty ${d.images.filter(w => w == 0).length}\n${d.text}\n`;
+        document.body.append(p); });</script>'
+    for file in $pages; do echo "<iframe src=\"probe-$file\" width=\"500\" height=\"900\"></iframe>"; done
+} >"$tmp/report/probe.html"
+browser --dump-dom --virtual-time-budget=60000 --window-size=1000,1000 "file://$tmp/report/probe.html" >"$tmp/dom.html"
+for file in $pages; do
+    check "the browser shows every image of $file" grep -q "^page $file width [0-9]* images $(grep -o '<img' "$tmp/report/$file" | wc -l) empty 0" "$tmp/dom.html"
+    width=$(sed -n "s/^page $file width \([0-9]*\) .*/\1/p" "$tmp/dom.html")
+    check "$file fits a narrow window (${width:-unknown} of 500 pixels)" [ "${width:-9999}" -le 500 ]
+done
+# The claims' only special characters are quotes and <; a page has them without "paper: " and "(scene)".
+sed "s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g" "$tmp/dom.html" >"$tmp/dom.txt"
+absent=$(column claim "$tmp/report/claims.tsv" | sed 's/^[a-z]*: //; s/ (teapot-star)$//; s/ (sphere-quad)$//' | sort -u | while read -r claim; do
+    [ "$(grep -cF -- "$claim" "$tmp/dom.txt")" -ge 2 ] || echo "$claim"
 done)
-check "every claim is on the page ($absent)" [ -z "$absent" ]
+check "every claim is on the overview and on its study's page ($absent)" [ -z "$absent" ]
+rm "$tmp"/report/probe*.html
 
 for size in 1280,4000 400,4000; do
     browser --screenshot="$tmp/page.png" --window-size=$size "file://$page"
@@ -190,9 +250,3 @@ for size in 1280,4000 400,4000; do
     "$rl" compare "$tmp/page.png" "$tmp/blank.png" >"$tmp/compare.tsv" 2>"$tmp/stderr"
     check "at $size the page is not blank" awk -v rmse="$(column rmse "$tmp/compare.tsv")" 'BEGIN { exit !(rmse > 0.05) }'
 done
-# Nothing may be wider than a phone: the document scrolls down, never sideways.
-sed 's#</body>#<script>document.title = "width " + document.documentElement.scrollWidth;</script></body>#' "$page" \
-    >"$tmp/report/probe.html"
-browser --dump-dom --window-size=500,1000 "file://$tmp/report/probe.html" >"$tmp/dom.html"
-width=$(sed -n 's/.*<title>width \([0-9]*\).*/\1/p' "$tmp/dom.html")
-check "it fits a narrow window (${width:-unknown} of 500 pixels)" [ "${width:-9999}" -le 500 ]
