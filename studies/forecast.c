@@ -45,21 +45,25 @@ static double pixels(const struct rl_record *r)
     return n > 0.0 ? n : 1.0;
 }
 
-/* The time of a group by its first case. `times` has the latest measurement first. */
-static void guess(struct rl_forecast_entry *entry, const struct rl_record *r, const struct rl_run *times)
+int rl_forecast_scale(double *seconds, const struct rl_record *r, const struct rl_record *measured)
+{
+    *seconds = measured->seconds * pixels(r) / pixels(measured);
+    return distance(r, measured);
+}
+
+int rl_forecast_guess(double *seconds, const struct rl_record *r, const struct rl_run *times)
 {
     int nearest = -1;
-    entry->group_seconds = NAN;
-    for (size_t i = 0; i < times->n_records; i++) {
-        int d = distance(r, &times->record[i]);
+    *seconds = NAN;
+    for (size_t i = 0; times && i < times->n_records && nearest != 0; i++) {
+        double scaled;
+        int d = rl_forecast_scale(&scaled, r, &times->record[i]);
         if (d < 0 || (nearest >= 0 && d >= nearest))
             continue;
         nearest = d;
-        entry->group_seconds = times->record[i].seconds * pixels(r) / pixels(&times->record[i]);
-        entry->source = d == 0 ? RL_FORECAST_SAME : RL_FORECAST_SIMILAR;
-        if (d == 0)
-            return;
+        *seconds = scaled;
     }
+    return nearest;
 }
 
 /* As the runner decides it. */
@@ -85,7 +89,10 @@ static int look_up(struct rl_forecast *f, const struct rl_run_options *options, 
             status = rl_database_state(db, run->record[i].identity, &f->entry[i].state, error);
         entry->wanted = rl_group_wanted(run, first, options);
         entry->open = entry->wanted && is_open(entry, end - first, options);
-        guess(entry, &run->record[first], times);
+        int nearest = rl_forecast_guess(&entry->group_seconds, &run->record[first], times);
+        entry->source = nearest < 0    ? RL_FORECAST_UNKNOWN
+                        : nearest == 0 ? RL_FORECAST_SAME
+                                       : RL_FORECAST_SIMILAR;
         for (size_t i = first + 1; i < end; i++) {
             enum rl_record_status state = f->entry[i].state;
             f->entry[i] = *entry;

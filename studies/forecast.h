@@ -41,6 +41,13 @@ int rl_forecast_make(struct rl_forecast *forecast, const struct rl_study *study,
                      struct rl_error *error);
 void rl_forecast_clear(struct rl_forecast *forecast);
 
+/* The seconds that the group of the case `r` may take, by the case in `times` (NULL: nothing is known) that is most like it; the latest
+ * measurement stands first there. Returns in how many values the two differ, or -1 and NaN if none is like it. */
+int rl_forecast_guess(double *seconds, const struct rl_record *r, const struct rl_run *times);
+
+/* The same by one measured case; -1 if the two have not the same parameters. */
+int rl_forecast_scale(double *seconds, const struct rl_record *r, const struct rl_record *measured);
+
 /* "same case", "similar case", "unknown" */
 const char *rl_forecast_source_name(enum rl_forecast_source source);
 

@@ -6,6 +6,7 @@
 
 #include "base/clock.h"
 #include "results/database.h"
+#include "studies/eta.h"
 
 /* Studies at work. */
 struct work {
@@ -16,6 +17,7 @@ struct work {
     struct rl_run_outcome *outcome;
     size_t n_planned;
     struct rl_planned **planned;
+    struct rl_eta eta;
 };
 
 /* One group, for a study: a case that was not measured, or whose measurement is asked for anew, is open and so is its group. */
@@ -60,11 +62,11 @@ static int measure_group(struct work *w, struct rl_planned *p, size_t first, str
     return rl_database_store(w->database, &p->run, first, n, error);
 }
 
-/* How many groups are to be measured; of the others the outcome is known. */
-static int count_pending(struct work *w, const struct rl_run *run, size_t *pending, struct rl_error *error)
+/* Notes which groups of a study are to be measured, and counts them; of the others the outcome is known. */
+static int look_ahead(struct work *w, const struct rl_run *run, size_t *pending, struct rl_error *error)
 {
-    int status = RL_OK;
-    *pending = 0;
+    struct rl_run times = {0};
+    int status = rl_database_load_times(w->database, run->study, &times, error);
     for (size_t first = 0, end; first < run->n_records && status == RL_OK; first = end) {
         enum rl_record_status state = RL_RECORD_PLANNED;
         end = rl_group_end(run, first);
@@ -72,35 +74,56 @@ static int count_pending(struct work *w, const struct rl_run *run, size_t *pendi
             continue;
         status = group_state(w, run, first, &state, error);
         w->outcome->planned += end - first;
-        if (state == RL_RECORD_PLANNED)
-            ++*pending;
-        else
+        if (state != RL_RECORD_PLANNED) {
             *(state == RL_RECORD_OK ? &w->outcome->skipped : &w->outcome->failed) += end - first;
+        } else if (status == RL_OK) {
+            status = rl_eta_add(&w->eta, run, first, &times, error);
+            ++*pending;
+        }
     }
+    rl_run_clear(&times);
     return status;
 }
 
 /* Measures what is open. Each group is looked up once more, just before: another study may have the same case. */
-static int measure(struct work *w, struct rl_planned *p, struct rl_error *error)
+static int measure(struct work *w, struct rl_planned *p, size_t pending, struct rl_error *error)
 {
-    size_t pending, finished = 0;
-    int status = count_pending(w, &p->run, &pending, error);
-    if (status == RL_OK)
-        status = rl_database_begin_run(w->database, &p->run, error);
+    size_t finished = 0;
+    int status = rl_database_begin_run(w->database, &p->run, error);
     for (size_t first = 0; first < p->run.n_records && status == RL_OK;
          first = rl_group_end(&p->run, first)) {
         enum rl_record_status state = RL_RECORD_PLANNED;
         if (!rl_group_wanted(&p->run, first, w->options))
             continue;
         status = group_state(w, &p->run, first, &state, error);
+        if (state != RL_RECORD_PLANNED)
+            rl_eta_dropped(&w->eta, &p->run.record[first]);
         if (status != RL_OK || state != RL_RECORD_PLANNED)
             continue;
         if (rl_progress_cancelled(w->progress))
             return rl_fail(error, RL_ERR_CANCELLED, "interrupted; what was finished is kept");
         status = measure_group(w, p, first, error);
-        if (status == RL_OK)
+        if (status == RL_OK) {
+            rl_eta_measured(&w->eta, &p->run.record[first]);
+            rl_progress_overall(w->progress, w->eta.done, w->eta.total, rl_eta_seconds(&w->eta));
             rl_progress_update(w->progress, p->study->name, ++finished, pending);
+        }
     }
+    return status;
+}
+
+/* All studies are looked at before the first is measured: only so is it known how far it is to the end of the last. */
+static int measure_all(struct work *w, struct rl_error *error)
+{
+    size_t *pending = calloc(w->n_planned + 1, sizeof *pending);
+    int status = pending ? RL_OK : rl_fail_memory(error, "the studies' groups");
+    for (size_t i = 0; i < w->n_planned && status == RL_OK; i++)
+        status = look_ahead(w, &w->planned[i]->run, &pending[i], error);
+    if (status == RL_OK && w->eta.total > 0)
+        rl_progress_overall(w->progress, 0, w->eta.total, rl_eta_seconds(&w->eta));
+    for (size_t i = 0; i < w->n_planned && status == RL_OK; i++)
+        status = measure(w, w->planned[i], pending[i], error);
+    free(pending);
     return status;
 }
 
@@ -129,8 +152,9 @@ int rl_studies_run(struct rl_run_outcome *outcome, const struct rl_study *const 
     /* Not before: a request that cannot be carried out leaves no file behind. */
     if (status == RL_OK)
         status = rl_database_open(&w.database, options->database, RL_DATABASE_WRITE, error);
-    for (size_t i = 0; i < n_studies && status == RL_OK; i++)
-        status = measure(&w, w.planned[i], error);
+    if (status == RL_OK)
+        status = measure_all(&w, error);
+    rl_eta_clear(&w.eta);
     for (size_t i = 0; i < w.n_planned; i++)
         rl_planned_free(w.planned[i]);
     free(w.planned);

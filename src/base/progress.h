@@ -13,6 +13,9 @@ struct rl_progress {
     /* Called by one thread at a time; `done` of `total` units are finished. */
     void (*update)(void *user, const char *what, size_t done, size_t total);
     bool (*cancelled)(void *user);
+    /* Of several pieces of work, each with updates of its own: how much of all is finished, and the seconds that the rest may take
+     * (NaN: nobody knows). Called before the update that it goes with; may be NULL. */
+    void (*overall)(void *user, size_t done, size_t total, double seconds_left);
     void *user;
 };
 
@@ -21,6 +24,13 @@ static inline void rl_progress_update(const struct rl_progress *progress, const 
 {
     if (progress && progress->update)
         progress->update(progress->user, what, done, total);
+}
+
+static inline void rl_progress_overall(const struct rl_progress *progress, size_t done, size_t total,
+                                       double seconds_left)
+{
+    if (progress && progress->overall)
+        progress->overall(progress->user, done, total, seconds_left);
 }
 
 static inline bool rl_progress_cancelled(const struct rl_progress *progress)

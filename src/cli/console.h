@@ -5,7 +5,8 @@
  *     ... work(progress) ...
  *     rl_console_end(&console);
  *
- * On a terminal: one line rewritten in place with done/total and the time left. Elsewhere: one line when a piece of work ends.
+ * On a terminal: one line rewritten in place with done/total and the time left. Elsewhere: one line when a piece of work ends, and
+ * one every half minute. Of several pieces of work, how far it is to the end of the last.
  * The first Ctrl-C (or SIGTERM, SIGHUP) asks the work to stop, the second ends the process at once.
  */
 #ifndef RL_CLI_CONSOLE_H
@@ -19,7 +20,10 @@ struct rl_console {
     struct rl_progress progress;
     bool terminal, line_open;
     char what[128];
-    double started, shown; /* seconds */
+    double started, next_started,
+        shown;          /* seconds: of this piece of work and of the one after it; of the last line */
+    size_t done, total; /* of all pieces of work together; total = 0: nobody said */
+    double left;        /* seconds that the rest may take; NaN: unknown */
 };
 
 const struct rl_progress *rl_console_begin(struct rl_console *console);

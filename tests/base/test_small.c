@@ -42,7 +42,8 @@ static void test_hash(void **state)
 }
 
 struct seen {
-    size_t done, total;
+    size_t done, total, all_done, all_total;
+    double seconds_left;
     const char *what;
     bool stop;
 };
@@ -60,6 +61,14 @@ static bool cancelled(void *user)
     return ((struct seen *)user)->stop;
 }
 
+static void overall(void *user, size_t done, size_t total, double seconds_left)
+{
+    struct seen *seen = user;
+    seen->all_done = done;
+    seen->all_total = total;
+    seen->seconds_left = seconds_left;
+}
+
 static void test_progress(void **state)
 {
     (void)state;
@@ -67,14 +76,18 @@ static void test_progress(void **state)
     assert_false(rl_progress_cancelled(NULL));
     const struct rl_progress silent = {0};
     rl_progress_update(&silent, "nobody looks", 1, 2);
+    rl_progress_overall(NULL, 1, 2, 3.0);
+    rl_progress_overall(&silent, 1, 2, 3.0);
     assert_false(rl_progress_cancelled(&silent));
 
     struct seen seen = {0};
-    const struct rl_progress progress = {update, cancelled, &seen};
+    const struct rl_progress progress = {update, cancelled, overall, &seen};
     rl_progress_update(&progress, "tiles", 3, 8);
     assert_string_equal(seen.what, "tiles");
     assert_int_equal(seen.done, 3);
     assert_int_equal(seen.total, 8);
+    rl_progress_overall(&progress, 5, 20, 1.5);
+    assert_true(seen.all_done == 5 && seen.all_total == 20 && seen.seconds_left == 1.5);
     assert_false(rl_progress_cancelled(&progress));
     seen.stop = true;
     assert_true(rl_progress_cancelled(&progress));

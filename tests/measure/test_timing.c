@@ -117,7 +117,7 @@ static void test_ends_early(void **state)
     struct rl_timing timing;
     struct rl_error error;
     make(arm, fake, &log);
-    struct rl_progress progress = {NULL, stop, &log};
+    struct rl_progress progress = {.cancelled = stop, .user = &log};
     assert_int_equal(rl_timing_run(&timing, arm, 3, &RL_TIMING_DEFAULT, &progress, &error), RL_ERR_CANCELLED);
     assert_int_equal(log.n, 7);
     assert_null(timing.ms);

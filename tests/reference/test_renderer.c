@@ -308,7 +308,7 @@ static void test_progress_and_interruption(void **state)
     add_square(&w.scene, 0.0f, true, 1.0f, 0);
     world_plan(&w);
     struct watch watch = {.stop_after = 1000};
-    const struct rl_progress progress = {on_update, on_cancelled, &watch};
+    const struct rl_progress progress = {.update = on_update, .cancelled = on_cancelled, .user = &watch};
     struct rl_image image = {0};
     struct rl_render_stats stats;
     struct rl_error error;

@@ -80,6 +80,9 @@ rm -rf "$tmp/long"
 
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
 check "the next run finishes" [ $? -eq 0 ]
+groups=$(sed -n 's/^\([0-9]*\) groups of cases to measure.*/\1/p' "$tmp/stderr")
+check "it says how much there is to do (${groups:-nothing}) and, a study done, how long the rest may take" \
+    grep -q "^samples: .* in .* s; of all: [0-9]* of ${groups:-?}, about [0-9]* s left" "$tmp/stderr"
 "$rl" study status --db "$db" >"$tmp/status.tsv"
 check "every planned case is measured" [ "$(column planned "$tmp/status.tsv")" = "$(column measured "$tmp/status.tsv")" ]
 check "none failed" [ -z "$(column failed "$tmp/status.tsv" | grep -vx 0)" ]

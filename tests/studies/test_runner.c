@@ -96,7 +96,7 @@ static struct rl_run_options extra;
 static int run(enum rl_grid grid, struct rl_run_outcome *outcome, struct rl_error *error)
 {
     const struct rl_study *const studies[] = {&study};
-    const struct rl_progress progress = {NULL, cancelled, NULL};
+    const struct rl_progress progress = {.cancelled = cancelled};
     struct rl_run_options options = extra;
     options.database = database;
     options.cache = cache;
