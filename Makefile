@@ -6,6 +6,7 @@
 #   WERROR=1           warnings are errors
 #   T=names            only these tests: module or module/name        make test T="scene/mesh model"
 #   QUICK=1            a smaller, quicker `make report` or `make bench`
+#   FULL=1             `make report` or `make bench` on the full grids: hours; may be interrupted, and goes on where it was
 #   SETUP=check        say what is missing, install nothing
 #   V=1                show the commands
 
@@ -199,6 +200,10 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(EXTRA)
 
 # ---- Tests and the report ---------------------------------------------------------------------------------------
 
+# How much of the studies' grids report and bench measure.
+$(if $(and $(QUICK),$(FULL)),$(error QUICK and FULL: one of them, not both))
+grid = $(if $(QUICK),--quick)$(if $(FULL),--full)
+
 .PHONY: test report bench
 ## Build, and run every test, or those that T names
 test: all $(TEST_PROGRAMS)
@@ -209,13 +214,13 @@ test: all $(TEST_PROGRAMS)
 ## Run the studies and make build/report/index.html
 report: all
 	$(BUILD)/roughlight study run $$($(BUILD)/roughlight study list | tail -n +2 | cut -f 1) \
-		--db $(BUILD)/results.db $(if $(QUICK),--quick)
+		--db $(BUILD)/results.db $(grid)
 	$(BUILD)/roughlight study report --db $(BUILD)/results.db -o $(BUILD)/report
 
 # The commands go to stderr: stdout is the tables, with an empty line between two.
 ## Time and true error of every integrator, images and exhaustive; tables and verdicts on stdout
 bench: all
-	@$(BUILD)/roughlight study run accuracy --db $(BUILD)/results.db $(if $(QUICK),--quick)
+	@$(BUILD)/roughlight study run accuracy --db $(BUILD)/results.db $(grid)
 	@$(BUILD)/roughlight study export --db $(BUILD)/results.db -o $(BUILD)/tables
 	@for table in points images kernel; do cat $(BUILD)/tables/accuracy_$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy"' $(BUILD)/tables/claims.tsv
