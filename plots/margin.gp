@@ -50,7 +50,9 @@ if (figure eq "missed") {
     plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))):(positive(column("missed_low"))):(positive(column("missed_high"))) \
             with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
         for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))) \
-            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto (ring of the R_r's colour)" : "", \
+            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))):(word(rr_list, i)) \
+            with labels offset 1.2, 0 left font ",12" notitle, \
         0.01 with lines linestyle 90 notitle
 }
 
@@ -68,7 +70,9 @@ if (figure eq "trade") {
     plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off":"time_to_off_low":"time_to_off_high" \
             with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
         for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off" \
-            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto (ring of the R_r's colour)" : "", \
+            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off":(word(rr_list, i)) \
+            with labels offset 1.2, 0 left font ",12" notitle, \
         data using (fixed(strcol("series"), strcol("arm")) && at(words(rr_list)) && (column("margin") == 0 || column("margin") == 0.5 || column("margin") == 1) ? positive(column("missed")) : NaN):"time_to_off":(sprintf("%g", column("margin"))) \
             with labels offset 0, -1 font ",11" notitle, \
         1 with lines linestyle 90 notitle

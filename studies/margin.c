@@ -146,11 +146,12 @@ static const struct rl_table tables[] = {
 };
 
 static const struct rl_figure figures[] = {
-    {"missed", "Share of the highlight's energy that the pass takes away, by margin: frames of 4 random "
-               "normals with and "
-               "without the pass, of the same seeds, with 95 % intervals. Rings: auto, where it has a "
-               "sphere. What is at "
-               "the lower edge is less or nothing. Grey: 1 %."},
+    {"missed",
+     "Share of the highlight's energy that the pass takes away, by margin: frames of 4 random "
+     "normals with and "
+     "without the pass, of the same seeds, with 95 % intervals. Rings: auto, with its R_r, where it has a "
+     "sphere. What is at "
+     "the lower edge is less or nothing. Grey: 1 %."},
     {"trade",
      "What a sphere saves against what it loses: frame time over that without the pass, and the share "
      "of the highlight "
