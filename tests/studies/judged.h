@@ -6,14 +6,42 @@
 #include <math.h>
 #include <string.h>
 
+#include "results/trace.h"
 #include "studies/study.h"
+
+/* A number comes from cases, and a figure shows it. */
+static inline void check_source(const struct rl_study *study, const struct rl_claim *c)
+{
+    if (!isnan(c->value) && c->n_cases == 0)
+        fail_msg("'%s' has a number, but no figure was read for it after it was begun", c->text);
+    bool alone = strcmp(c->scene, RL_NO_SCENE) == 0, shown = false;
+    const struct rl_figure *figure = alone ? study->figures_alone : study->figures;
+    for (size_t i = 0; i < (alone ? study->n_figures_alone : study->n_figures); i++)
+        shown = shown || (c->figure && strcmp(figure[i].name, c->figure) == 0);
+    if (!shown)
+        fail_msg("'%s' names the figure '%s', which %s does not have", c->text, c->figure ? c->figure : "",
+                 study->name);
+}
+
+/* What a study makes of a run. */
+static inline void judge_run(struct rl_claims *claims, const char *name, const struct rl_run *run)
+{
+    const struct rl_study *study = rl_study_find(name);
+    assert_non_null(study);
+    /* The run is the test's own, and as it was when the trace ends. */
+    assert_int_equal(rl_trace_begin(claims, (struct rl_run *)run, NULL), RL_OK);
+    assert_int_equal(study->judge(claims, run, NULL), RL_OK);
+    assert_int_equal(rl_trace_end(claims, NULL), RL_OK);
+    for (size_t i = 0; i < claims->n; i++)
+        check_source(study, &claims->claim[i]);
+}
 
 /* The claim that has these words. */
 static inline struct rl_claim claim_of(const char *study, const struct rl_run *run, const char *words)
 {
     struct rl_claims claims = {0};
     struct rl_claim found = {.verdict = (enum rl_verdict) - 1};
-    assert_int_equal(rl_study_find(study)->judge(&claims, run, NULL), RL_OK);
+    judge_run(&claims, study, run);
     for (size_t i = 0; i < claims.n; i++)
         if (strstr(claims.claim[i].text, words))
             found = claims.claim[i];
@@ -29,7 +57,7 @@ static inline void check_undecided(const char *study, struct rl_run *run, size_t
     struct rl_claims claims = {0};
     for (size_t i = 0; i < run->n_records; i++)
         run->record[i].status = i % 2 ? RL_RECORD_PLANNED : RL_RECORD_FAILED;
-    assert_int_equal(rl_study_find(study)->judge(&claims, run, NULL), RL_OK);
+    judge_run(&claims, study, run);
     assert_true(claims.n >= least);
     for (size_t i = 0; i < claims.n; i++) {
         assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
