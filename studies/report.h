@@ -14,7 +14,8 @@
 
 /* The latest run of each study, in the order of rl_studies. */
 struct rl_report_data {
-    struct rl_run *run; /* [rl_n_studies] */
+    struct rl_run *run;     /* [rl_n_studies] */
+    struct rl_run *derived; /* [rl_n_studies], what follows from each (struct rl_study, derive) */
     struct rl_claims claims;
 };
 

@@ -21,9 +21,12 @@ static int judge(struct rl_claims *claims, const struct rl_study *study, struct 
 
 int rl_report_load(struct rl_report_data *data, const char *path, struct rl_error *error)
 {
-    *data = (struct rl_report_data){.run = calloc(rl_n_studies, sizeof *data->run)};
-    if (!data->run)
+    *data = (struct rl_report_data){.run = calloc(rl_n_studies, sizeof *data->run),
+                                    .derived = calloc(rl_n_studies, sizeof *data->derived)};
+    if (!data->run || !data->derived) {
+        rl_report_clear(data);
         return rl_fail_memory(error, "the studies' runs");
+    }
     struct rl_database *db;
     int status = rl_database_open(&db, path, RL_DATABASE_READ, error);
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
@@ -31,6 +34,9 @@ int rl_report_load(struct rl_report_data *data, const char *path, struct rl_erro
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
         if (data->run[i].n_records > 0)
             status = judge(&data->claims, rl_studies[i], &data->run[i], error);
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
+        if (data->run[i].n_records > 0 && rl_studies[i]->derive)
+            status = rl_studies[i]->derive(&data->derived[i], &data->run[i], error);
     rl_database_close(db);
     if (status != RL_OK)
         rl_report_clear(data);
@@ -41,7 +47,10 @@ void rl_report_clear(struct rl_report_data *data)
 {
     for (size_t i = 0; data->run && i < rl_n_studies; i++)
         rl_run_clear(&data->run[i]);
+    for (size_t i = 0; data->derived && i < rl_n_studies; i++)
+        rl_run_clear(&data->derived[i]);
     free(data->run);
+    free(data->derived);
     rl_claims_clear(&data->claims);
     *data = (struct rl_report_data){0};
 }
@@ -56,16 +65,30 @@ static int write_table(struct rl_buffer *text, const char *folder, const char *n
     return status;
 }
 
+static int write_tables(const struct rl_table *tables, size_t n, const struct rl_run *run, const char *folder,
+                        enum rl_export_format format, struct rl_error *error)
+{
+    struct rl_buffer text = {0};
+    int status = RL_OK;
+    for (size_t t = 0; t < n && status == RL_OK; t++) {
+        rl_export_run(&text, &tables[t], run, format);
+        status = write_table(&text, folder, tables[t].name, format, error);
+    }
+    return status;
+}
+
 int rl_report_export(const struct rl_report_data *data, const char *folder, enum rl_export_format format,
                      struct rl_error *error)
 {
     struct rl_buffer text = {0};
     int status = rl_directory_create(folder, error);
-    for (size_t i = 0; i < rl_n_studies; i++)
-        for (size_t t = 0; t < rl_studies[i]->n_tables && status == RL_OK; t++) {
-            rl_export_run(&text, &rl_studies[i]->tables[t], &data->run[i], format);
-            status = write_table(&text, folder, rl_studies[i]->tables[t].name, format, error);
-        }
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++) {
+        const struct rl_study *s = rl_studies[i];
+        status = write_tables(s->tables, s->n_tables, &data->run[i], folder, format, error);
+        if (status == RL_OK)
+            status = write_tables(s->derived_tables, s->n_derived_tables, &data->derived[i], folder, format,
+                                  error);
+    }
     if (status == RL_OK) {
         rl_export_samples(&text, data->run, rl_n_studies, format);
         status = write_table(&text, folder, "frame_times", format, error);

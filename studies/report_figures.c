@@ -14,6 +14,14 @@ static const struct rl_figure *figures_of(const struct rl_study *study, const ch
     return alone ? study->figures_alone : study->figures;
 }
 
+/* Whether the series of a scene's f-th figure was measured on it. */
+static bool wanted(const struct rl_study *study, size_t f, const struct rl_run *run, const char *scene)
+{
+    const char *pattern =
+        study->figure_patterns && strcmp(scene, RL_NO_SCENE) != 0 ? study->figure_patterns[f] : NULL;
+    return !pattern || rl_run_find(run, scene, pattern);
+}
+
 static size_t count_figures(const struct rl_study *study, const struct rl_run *run)
 {
     size_t total = 0, n;
@@ -55,7 +63,8 @@ int rl_report_draw(struct rl_report_page *page)
             size_t n;
             const struct rl_figure *figure = figures_of(rl_studies[i], scene, &n);
             for (size_t f = 0; f < n; f++)
-                add_figure(page, rl_studies[i], &figure[f], scene);
+                if (wanted(rl_studies[i], f, run, scene))
+                    add_figure(page, rl_studies[i], &figure[f], scene);
         }
     }
     return rl_plot_figures(page->plot, page->n_figures, page->options->threads, page->progress, page->error);

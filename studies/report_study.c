@@ -126,16 +126,25 @@ static void add_figures(struct rl_buffer *text, const struct rl_report_page *pag
     }
 }
 
-static void add_tables(struct rl_buffer *text, const struct rl_study *study, const struct rl_run *run)
+static void add_each_table(struct rl_buffer *text, const struct rl_table *tables, size_t n,
+                           const struct rl_run *run)
+{
+    for (size_t t = 0; t < n; t++) {
+        char file[128];
+        snprintf(file, sizeof file, "%s.tsv", tables[t].name);
+        rl_report_table(text, tables, t, run, file);
+    }
+}
+
+static void add_tables(struct rl_buffer *text, const struct rl_study *study, const struct rl_run *run,
+                       const struct rl_run *derived)
 {
     rl_buffer_add(
         text, "<h2 id=\"tables\">Tables</h2>\n<p>Every measured case is a row; its last column is what names "
-              "it above, in the exported tables and in the database.</p>\n");
-    for (size_t t = 0; t < study->n_tables; t++) {
-        char file[128];
-        snprintf(file, sizeof file, "%s.tsv", study->tables[t].name);
-        rl_report_table(text, study->tables, t, run, file);
-    }
+              "it above, in the exported tables and in the database. Rows without a name follow from several "
+              "cases.</p>\n");
+    add_each_table(text, study->tables, study->n_tables, run);
+    add_each_table(text, study->derived_tables, study->n_derived_tables, derived);
     rl_report_other_cases(text, study->tables, study->n_tables, run);
 }
 
@@ -198,7 +207,7 @@ static int write_study(const struct rl_report_page *page, size_t i)
     if (rl_report_measured(run)) {
         rl_buffer_add(&text, "<h2 id=\"figures\">Figures</h2>\n");
         add_figures(&text, page, study);
-        add_tables(&text, study, run);
+        add_tables(&text, study, run, &page->data->derived[i]);
     }
     add_reproduction(&text, run);
     add_neighbours(&text, page, i);

@@ -48,8 +48,12 @@ struct rl_study {
         *scenes; /* names of shipped scenes, NULL at the end: what it runs on if none is given */
     const struct rl_table *tables;
     size_t n_tables;
+    const struct rl_table *derived_tables; /* of what `derive` makes */
+    size_t n_derived_tables;
     const struct rl_figure *figures; /* of each scene */
     size_t n_figures;
+    /* Beside `figures`: each is drawn for scenes that have a measured case which matches; NULL: for all. */
+    const char *const *figure_patterns;
     const struct rl_figure *figures_alone; /* of the cases without a scene */
     size_t n_figures_alone;
     /* Adds the cases of one scene to `run`. Groups are numbered from `first_group` on. */
@@ -64,6 +68,9 @@ struct rl_study {
      * for those of plan_alone. */
     int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                    struct rl_error *error);
+    /* Figures that follow from many rows together, such as fitted models: records made from a run's, for derived_tables. NULL: none.
+     * Nothing of it is kept in the database. On an error there is nothing to clear. */
+    int (*derive)(struct rl_run *derived, const struct rl_run *run, struct rl_error *error);
     /* Judges what was measured, scene by scene; a claim whose cases are missing is inconclusive. A claim is begun before the figures it
      * rests on are read: so it is known which cases it comes from (results/trace.h). */
     int (*judge)(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);

@@ -120,6 +120,12 @@ static void print_columns(const char *name, const char *summary, const struct rl
     printf("%s%s\n", cases ? " " : "", cases ? rl_identity_column : "");
 }
 
+static void print_each(const struct rl_table *tables, size_t n)
+{
+    for (size_t t = 0; t < n; t++)
+        print_columns(tables[t].name, tables[t].summary, tables[t].column, tables[t].n_columns, true);
+}
+
 static void print_tables(void)
 {
     static const struct rl_column samples[] = {{.name = "study"},  {.name = "scene"}, {.name = "parameters"},
@@ -134,11 +140,10 @@ static void print_tables(void)
            "not measured.\n"
            "identity: the case, as `cases` of claims names those that a verdict comes from.\n"
            "studies/README.md says what each is.\n\n");
-    for (size_t i = 0; i < rl_n_studies; i++)
-        for (size_t t = 0; t < rl_studies[i]->n_tables; t++) {
-            const struct rl_table *table = &rl_studies[i]->tables[t];
-            print_columns(table->name, table->summary, table->column, table->n_columns, true);
-        }
+    for (size_t i = 0; i < rl_n_studies; i++) {
+        print_each(rl_studies[i]->tables, rl_studies[i]->n_tables);
+        print_each(rl_studies[i]->derived_tables, rl_studies[i]->n_derived_tables);
+    }
     print_columns("frame_times", "every raw figure of every case, in the order taken", samples,
                   sizeof samples / sizeof samples[0], true);
     print_columns("claims", "every claim with its verdict and the command that reproduces it", claims,

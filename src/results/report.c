@@ -16,7 +16,7 @@ static bool shown_before(const struct rl_table *tables, size_t t, const struct r
 /* Opens a row of a case, with its anchor if it is to have one. */
 static void begin_case(struct rl_buffer *page, const struct rl_record *r, bool anchor)
 {
-    if (anchor)
+    if (anchor && r->identity[0]) /* what follows from several cases has none */
         rl_buffer_printf(page, "<tr id=\"case-%s\">", r->identity);
     else
         rl_buffer_add(page, "<tr>");
