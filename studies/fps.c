@@ -1,149 +1,251 @@
 /* The study `fps`: the paper's Table 1 again. Plain highlight, 13 regular normals, 4 random normals, at 640x480 with an
- * environment map of 256 texels a face: 530, 28 and 38 frames a second on a GeForce FX 5200.
+ * environment map of 256 texels a face: 530, 28 and 38 frames a second on a GeForce FX 5200. And what else costs how much: pixels,
+ * samples, the environment map's size, objects, roughnesses, and the exhaustive way.
  *
- * All arms take turns frame by frame in random order; every frame is finished before the clock stops. Beside the paper's three
- * there are an arm without highlight (what a frame costs anyway), random 4 once more (A/A: how much two arms of the
- * same work differ, below which no difference counts) and the environment map's own pass. */
+ * All arms of a series take turns frame by frame in random order; every frame is finished before the clock stops. Beside the paper's
+ * methods there are an arm without highlight (what a frame costs anyway) and random 4 once more (A/A: how much two arms of the
+ * same work differ, below which no difference counts). */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "measure/statistics.h"
-#include "measure/timing.h"
 #include "studies/fps.h"
 
-/* `paper_fps`: as Table 1 has it, or 0. */
-static const struct arm {
-    const char *name, *method;
-    int samples;
-    double paper_fps;
-} arms[] = {
-    {"none", "none", 0, 0.0},
-    {"plain", "plain", 0, RL_PAPER_PLAIN_FPS},
-    {"regular-13", "regular", 13, RL_PAPER_REGULAR_FPS},
-    {"random-4", "random", 4, RL_PAPER_RANDOM_FPS},
-    {"random-4-again", "random", 4, 0.0},
-    {"environment", "random", 4, 0.0},
+struct size {
+    int width, height;
 };
 
-enum { ARMS = sizeof arms / sizeof arms[0] };
+/* Least rounds of a series and the cap of their seconds. */
+struct effort {
+    int rounds;
+    double seconds;
+};
+
+/* Lists end with 0. At `heavy` of the sizes, from the smallest on, regular 13 is measured too, which would take longest. */
+static const struct grid {
+    struct size table_size;
+    bool every_scene; /* the other series too; else they are measured on a run's first scene */
+    struct effort table, sizes, environments, many, maps, all_texels;
+    struct size size[8];
+    int heavy;
+    struct size scene; /* of environment, objects and roughness */
+    int env_size[8], objects[8], roughnesses[8], normal_size;
+    struct {
+        struct size size;
+        int env_size;
+    } exhaustive[8];
+} grids[] = {
+    [RL_GRID_QUICK] = {.table_size = {160, 120},
+                       .table = {10, 1.0},
+                       .sizes = {5, 0.3},
+                       .environments = {5, 0.3},
+                       .many = {5, 0.3},
+                       .maps = {5, 0.3},
+                       .all_texels = {5, 0.3},
+                       .size = {{40, 30}, {80, 60}, {160, 120}},
+                       .heavy = 2,
+                       .scene = {80, 60},
+                       .env_size = {32, 64, 128},
+                       .objects = {1, 2, 3},
+                       .roughnesses = {1, 2, 4},
+                       .normal_size = 64,
+                       .exhaustive = {{{40, 30}, 16}, {{40, 30}, 32}, {{40, 30}, 64}}},
+    [RL_GRID_DEFAULT] = {.table_size = {640, 480},
+                         .table = {30, 2.5},
+                         .sizes = {10, 1.5},
+                         .environments = {15, 1.0},
+                         .many = {15, 1.0},
+                         .maps = {6, 0.5},
+                         .all_texels = {8, 1.0},
+                         .size = {{320, 240}, {640, 480}, {1920, 1080}},
+                         .heavy = 2,
+                         .scene = {320, 240},
+                         .env_size = {64, 256, 1024},
+                         .objects = {1, 4, 10},
+                         .roughnesses = {1, 2, 4},
+                         .normal_size = 512,
+                         .exhaustive = {{{160, 120}, 32}, {{160, 120}, 64}, {{160, 120}, 128}}},
+    [RL_GRID_FULL] = {.table_size = {640, 480},
+                      .every_scene = true,
+                      .table = {300, 120.0},
+                      .sizes = {30, 60.0},
+                      .environments = {30, 60.0},
+                      .many = {30, 60.0},
+                      .maps = {30, 60.0},
+                      .all_texels = {30, 60.0},
+                      .size = {{320, 240}, {640, 480}, {800, 600}, {1024, 768}, {1280, 960}, {1920, 1080}},
+                      .heavy = 6,
+                      .scene = {640, 480},
+                      .env_size = {64, 128, 256, 512, 1024},
+                      .objects = {1, 2, 3, 4, 5, 6, 8, 10},
+                      .roughnesses = {1, 2, 3, 4},
+                      .normal_size = 512,
+                      .exhaustive = {{{80, 60}, 64},
+                                     {{160, 120}, 64},
+                                     {{320, 240}, 64},
+                                     {{160, 120}, 128},
+                                     {{160, 120}, 256}}},
+};
+
+enum { TABLE_ENV_SIZE = 256 };
+
+/* Cases at work. */
+struct planning {
+    struct rl_run *run;
+    const struct rl_place *place;
+    const struct grid *grid;
+    const char *series;
+    const struct effort *effort;
+    int group;
+    struct rl_error *error;
+    int status;
+};
+
+/* `extra`: "" or " key=value". */
+static void add_case(struct planning *p, const char *arm, const char *method, int samples, int env_size,
+                     const char *extra, struct size size)
+{
+    if (p->status == RL_OK &&
+        !rl_run_add(p->run, p->place, p->group, p->error,
+                    "arm=%s series=%s method=%s samples=%d normal_bits=8 env_size=%d env_format=rgba8%s "
+                    "rounds=%d seconds=%g width=%d height=%d",
+                    arm, p->series, method, samples, env_size, extra, p->effort->rounds, p->effort->seconds,
+                    size.width, size.height))
+        p->status = RL_ERR_SYSTEM;
+}
+
+static void begin(struct planning *p, const char *series, const struct effort *effort)
+{
+    p->series = series;
+    p->effort = effort;
+    p->group++;
+}
+
+static void plan_table(struct planning *p)
+{
+    struct size size = p->grid->table_size;
+    begin(p, "table1", &p->grid->table);
+    add_case(p, "none", "none", 0, TABLE_ENV_SIZE, "", size);
+    add_case(p, "plain", "plain", 0, TABLE_ENV_SIZE, "", size);
+    add_case(p, "regular-13", "regular", 13, TABLE_ENV_SIZE, "", size);
+    add_case(p, "random-4", "random", 4, TABLE_ENV_SIZE, "", size);
+    add_case(p, "random-4-again", "random", 4, TABLE_ENV_SIZE, "", size);
+    add_case(p, "environment", "random", 4, TABLE_ENV_SIZE, "", size);
+}
+
+/* Other sample counts than the paper's at the smallest size, or at all of the full grid: a sample and what a pixel costs anyway are
+ * told apart by them. */
+static void plan_sizes(struct planning *p)
+{
+    const struct grid *g = p->grid;
+    begin(p, "size", &g->sizes);
+    for (int i = 0; g->size[i].width > 0; i++) {
+        struct size size = g->size[i];
+        add_case(p, "none", "none", 0, TABLE_ENV_SIZE, "", size);
+        add_case(p, "plain", "plain", 0, TABLE_ENV_SIZE, "", size);
+        add_case(p, "random-4", "random", 4, TABLE_ENV_SIZE, "", size);
+        if (i == 0)
+            add_case(p, "random-4-again", "random", 4, TABLE_ENV_SIZE, "", size);
+        if (i < g->heavy)
+            add_case(p, "regular-13", "regular", 13, TABLE_ENV_SIZE, "", size);
+        if (i == 0 || g->every_scene) {
+            add_case(p, "random-1", "random", 1, TABLE_ENV_SIZE, "", size);
+            add_case(p, "random-16", "random", 16, TABLE_ENV_SIZE, "", size);
+            add_case(p, "regular-4", "regular", 4, TABLE_ENV_SIZE, "", size);
+            add_case(p, "regular-25", "regular", 25, TABLE_ENV_SIZE, "", size);
+        }
+    }
+}
+
+static void plan_environments(struct planning *p)
+{
+    const struct grid *g = p->grid;
+    begin(p, "environment", &g->environments);
+    add_case(p, "none", "none", 0, g->env_size[0], "", g->scene);
+    for (int i = 0; g->env_size[i] > 0; i++) {
+        add_case(p, "random-4", "random", 4, g->env_size[i], "", g->scene);
+        add_case(p, "environment", "random", 4, g->env_size[i], "", g->scene);
+    }
+    add_case(p, "random-4-again", "random", 4, g->env_size[0], "", g->scene);
+}
+
+static void plan_objects(struct planning *p)
+{
+    const struct grid *g = p->grid;
+    char extra[64];
+    begin(p, "objects", &g->many);
+    for (int i = 0; g->objects[i] > 0; i++) {
+        snprintf(extra, sizeof extra, " objects=%d", g->objects[i]);
+        add_case(p, "none", "none", 0, TABLE_ENV_SIZE, extra, g->scene);
+        add_case(p, "random-4", "random", 4, TABLE_ENV_SIZE, extra, g->scene);
+        add_case(p, "environment", "random", 4, TABLE_ENV_SIZE, extra, g->scene);
+        if (i == 0)
+            add_case(p, "random-4-again", "random", 4, TABLE_ENV_SIZE, extra, g->scene);
+    }
+}
+
+static void plan_roughnesses(struct planning *p)
+{
+    const struct grid *g = p->grid;
+    char extra[64], margin[80];
+    begin(p, "roughness", &g->many);
+    for (int i = 0; g->roughnesses[i] > 0; i++) {
+        snprintf(extra, sizeof extra, " roughnesses=%d", g->roughnesses[i]);
+        snprintf(margin, sizeof margin, "%s margin=0.5", extra);
+        if (i == 0) {
+            add_case(p, "none", "none", 0, TABLE_ENV_SIZE, extra, g->scene);
+            add_case(p, "random-4-again", "random", 4, TABLE_ENV_SIZE, extra, g->scene);
+        }
+        add_case(p, "random-4", "random", 4, TABLE_ENV_SIZE, extra, g->scene);
+        add_case(p, "random-4-margin", "random", 4, TABLE_ENV_SIZE, margin, g->scene);
+    }
+}
+
+/* Apart from the frames, since baking takes far longer than a frame. The picture's size does not enter. */
+static void plan_maps(struct planning *p)
+{
+    const struct grid *g = p->grid;
+    char extra[80];
+    begin(p, "maps", &g->maps);
+    for (int i = 0; g->roughnesses[i] > 0; i++) {
+        snprintf(extra, sizeof extra, " roughnesses=%d normal_size=%d", g->roughnesses[i], g->normal_size);
+        add_case(p, "normal-maps", "random", 4, TABLE_ENV_SIZE, extra, g->scene);
+    }
+}
+
+static void plan_exhaustive(struct planning *p)
+{
+    const struct grid *g = p->grid;
+    begin(p, "exhaustive", &g->all_texels);
+    for (int i = 0; g->exhaustive[i].env_size > 0; i++) {
+        struct size size = g->exhaustive[i].size;
+        if (i == 0 || size.width != g->exhaustive[i - 1].size.width) {
+            add_case(p, "none", "none", 0, TABLE_ENV_SIZE, "", size);
+            add_case(p, "random-4", "random", 4, TABLE_ENV_SIZE, "", size);
+        }
+        add_case(p, "exhaustive", "exhaustive", 1, g->exhaustive[i].env_size, "", size);
+    }
+}
 
 static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
                 struct rl_error *error)
 {
-    static const struct {
-        int width, height, rounds;
-    } size[] = {[RL_GRID_QUICK] = {160, 120, 10},
-                [RL_GRID_DEFAULT] = {640, 480, 60},
-                [RL_GRID_FULL] = {640, 480, 300}};
-    for (int i = 0; i < ARMS; i++)
-        if (!rl_run_add(run, place, group, error,
-                        "arm=%s method=%s samples=%d normal_bits=8 env_size=256 env_format=rgba8 rounds=%d "
-                        "width=%d height=%d",
-                        arms[i].name, arms[i].method, arms[i].samples, size[grid].rounds, size[grid].width,
-                        size[grid].height))
-            return RL_ERR_SYSTEM;
-    return RL_OK;
-}
-
-static int draw_frame(void *user, double *seconds, struct rl_error *error)
-{
-    const struct rl_bench_scene *set = user;
-    return rl_gpu_scene_frame(set->gpu_scene, seconds, error);
-}
-
-static int draw_environment(void *user, double *seconds, struct rl_error *error)
-{
-    const struct rl_bench_scene *set = user;
-    return rl_gpu_scene_environment(set->gpu_scene, seconds, error);
-}
-
-static int add(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-               struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
-/* The arm among the n records of a group, or -1. */
-static long find_arm(const struct rl_record *records, size_t n, const char *name)
-{
-    char pattern[64];
-    snprintf(pattern, sizeof pattern, "arm=%s", name);
-    for (size_t i = 0; i < n; i++)
-        if (rl_parameters_match(records[i].parameters, pattern))
-            return (long)i;
-    return -1;
-}
-
-/* An arm's time, its rate, and both against the other arms, paired by round. */
-static int add_figures(struct rl_record *r, const struct rl_timing *t, size_t i, long baseline, long random,
-                       struct rl_error *error)
-{
-    struct rl_interval ms = rl_median_interval(t->ms[i], t->n_rounds, 0.95);
-    struct rl_interval fps = {1000.0 / ms.value, 1000.0 / ms.high, 1000.0 / ms.low};
-    double frames = (double)t->n_rounds;
-    int status = add(r, "frame_ms", ms, "ms", error);
-    if (status == RL_OK)
-        status = add(r, "fps", fps, "1/s", error);
-    if (status == RL_OK)
-        status = add(r, "frames", (struct rl_interval){frames, frames, frames}, "1", error);
-    if (status == RL_OK && baseline >= 0)
-        status = add(r, "above_baseline_ms",
-                     rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms", error);
-    if (status == RL_OK && random >= 0)
-        status = add(r, "time_to_random4", rl_ratio_interval(t->ms[i], t->ms[random], t->n_rounds, 0.95), "1",
-                     error);
-    char name[RL_NAME_MAX];
-    rl_parameter(r->parameters, "arm", name, sizeof name);
-    for (int k = 0; k < ARMS && status == RL_OK; k++)
-        if (arms[k].paper_fps > 0.0 && strcmp(arms[k].name, name) == 0) {
-            double f = arms[k].paper_fps;
-            status = add(r, "paper_fps", (struct rl_interval){f, f, f}, "1/s", error);
-        }
-    if (status == RL_OK)
-        status = rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error);
-    return status;
-}
-
-static int time_arms(struct rl_record *records, struct rl_bench_scene **set, size_t n, struct rl_bench *bench,
-                     struct rl_error *error)
-{
-    struct rl_timing_arm arm[ARMS];
-    for (size_t i = 0; i < n; i++) {
-        bool environment = rl_parameters_match(records[i].parameters, "arm=environment");
-        arm[i] = (struct rl_timing_arm){records[i].parameters, environment ? draw_environment : draw_frame,
-                                        set[i]};
+    struct planning p = {.run = run,
+                         .place = place,
+                         .grid = &grids[grid],
+                         .group = group - 1,
+                         .error = error,
+                         .status = RL_OK};
+    plan_table(&p);
+    if (group == 0 || p.grid->every_scene) {
+        plan_sizes(&p);
+        plan_environments(&p);
+        plan_objects(&p);
+        plan_roughnesses(&p);
+        plan_maps(&p);
+        plan_exhaustive(&p);
     }
-    int rounds = (int)rl_parameter_number(records[0].parameters, "rounds");
-    struct rl_timing_options options = RL_TIMING_DEFAULT;
-    options.warm_up = 3;
-    options.min_rounds = rounds;
-    options.max_rounds = 3 * rounds;
-    struct rl_timing timing;
-    int status = rl_timing_run(&timing, arm, n, &options, &bench->quiet, error);
-    if (status != RL_OK)
-        return status;
-    long baseline = find_arm(records, n, "none"), random = find_arm(records, n, "random-4");
-    for (size_t i = 0; i < n && status == RL_OK; i++)
-        status = add_figures(&records[i], &timing, i, baseline, random, error);
-    rl_timing_clear(&timing);
-    return status;
-}
-
-static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
-                   struct rl_error *error)
-{
-    if (n > ARMS)
-        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, expected at most %d", n, ARMS);
-    struct rl_bench_scene *set[ARMS] = {NULL};
-    int status = RL_OK;
-    for (size_t i = 0; i < n && status == RL_OK; i++)
-        status = rl_bench_scene_make(&set[i], bench, scene, records[i].parameters, 1, error);
-    if (status == RL_OK)
-        status = time_arms(records, set, n, bench, error);
-    for (size_t i = 0; i < n; i++)
-        rl_bench_scene_free(set[i]);
-    return status;
+    return p.status;
 }
 
 static const struct rl_column columns[] = {
@@ -161,11 +263,58 @@ static const struct rl_column columns[] = {
     RL_COLUMNS_WITH_INTERVAL("above_baseline_ms"),
     RL_COLUMNS_WITH_INTERVAL("time_to_random4"),
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
+    {"series", RL_COLUMN_TEXT, "series"},
+    {"objects", RL_COLUMN_NUMBER, "objects"},
+    {"roughnesses", RL_COLUMN_NUMBER, "roughnesses"},
+    {"rounds", RL_COLUMN_NUMBER, "rounds"},
+    {"cap_s", RL_COLUMN_NUMBER, "seconds"},
+    {"time_precision", RL_COLUMN_VALUE, "time_precision"},
+    {"time_precise", RL_COLUMN_VALUE, "time_precise"},
+    {"drawn_px", RL_COLUMN_VALUE, "drawn_px"},
+    {"env_maps", RL_COLUMN_VALUE, "env_maps"},
+    {"normal_maps", RL_COLUMN_VALUE, "normal_maps"},
+    {"normal_size_px", RL_COLUMN_NUMBER, "normal_size"},
+    {"texel_normals", RL_COLUMN_VALUE, "texel_normals"},
 };
 
 static const struct rl_table tables[] = {
     {"fps", "Every arm: median frame time and rate, the paper's rate, time above the frame without highlight",
      "", columns, sizeof columns / sizeof columns[0]},
+};
+
+static const struct rl_column model_columns[] = {
+    {"scene", RL_COLUMN_SCENE, NULL},
+    {"model", RL_COLUMN_TEXT, "model"},
+    {"series", RL_COLUMN_TEXT, "series"},
+    {"arms", RL_COLUMN_TEXT, "arms"},
+    {"quantity", RL_COLUMN_TEXT, "quantity"},
+    {"points", RL_COLUMN_VALUE, "points"},
+    {"frames", RL_COLUMN_VALUE, "frames"},
+    RL_COLUMNS_WITH_INTERVAL("constant_ms"),
+    RL_COLUMNS_WITH_INTERVAL("per_pixel_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_drawn_pixel_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_sample_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_texel_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_object_us"),
+    RL_COLUMNS_WITH_INTERVAL("per_roughness_us"),
+    RL_COLUMNS_WITH_INTERVAL("per_texel_normal_ns"),
+    {"r2", RL_COLUMN_VALUE, "r2"},
+    {"residual", RL_COLUMN_VALUE, "residual"},
+    RL_COLUMNS_WITH_INTERVAL("worst_residual"),
+    {"worst_width_px", RL_COLUMN_VALUE, "worst_width"},
+    {"worst_samples", RL_COLUMN_VALUE, "worst_samples"},
+    {"worst_env_size_px", RL_COLUMN_VALUE, "worst_env_size"},
+    {"worst_objects", RL_COLUMN_VALUE, "worst_objects"},
+    {"worst_roughnesses", RL_COLUMN_VALUE, "worst_roughnesses"},
+    {"noise_floor", RL_COLUMN_VALUE, "noise_floor"},
+    {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
+};
+
+static const struct rl_table model_tables[] = {
+    {"fps_models",
+     "Cost models, fitted by least squares to the medians, relative residuals; intervals from drawing the "
+     "rounds again; and where each fails most",
+     "", model_columns, sizeof model_columns / sizeof model_columns[0]},
 };
 
 static const struct rl_figure figures[] = {
@@ -174,24 +323,56 @@ static const struct rl_figure figures[] = {
              "median, mostly smaller than the mark. Grey: 24 and 30 frames a second."},
     {"frames", "Every frame's time in the order of the rounds: drift, outliers, and the noise floor (random "
                "4 against itself)."},
+    {"scaling",
+     "Time above the frame without highlight by what the highlight pass draws: pixels times normals, for all "
+     "picture sizes and sample counts. Lines: a + b x pixels x samples, fitted to each method; where a mark "
+     "is off its line, pixels cost beside their samples."},
+    {"environment",
+     "The environment map's size: the pass that draws the map, with its fitted a + b x texels, and the frame "
+     "of random 4 that looks it up."},
+    {"objects",
+     "Objects of as many pixels together, each with an environment map of its own: the frame without and "
+     "with random 4, and the pass that draws all maps. Lines: a + b x objects."},
+    {"roughness",
+     "Roughnesses among four objects: the frame of random 4 without and with bounding spheres, and the frame "
+     "without highlight. Lines: what a + b x roughnesses adds to that."},
+    {"maps", "Normal maps, one a roughness: time to bake and upload them all, once, when a scene is set up. "
+             "Line: a + b x "
+             "roughnesses."},
+    {"exhaustive",
+     "Every texel of the map at every pixel, on the CPU: time of a frame by texel-normals. Line: a + b x "
+     "texel-normals. Beyond the last mark it is extrapolation."},
 };
 
-static const char *const scenes[] = {"teapot-star", "sphere-quad", NULL};
+static const char *const figure_patterns[] = {
+    "series=table1",  "series=table1",    "series=size", "series=environment",
+    "series=objects", "series=roughness", "series=maps", "series=exhaustive",
+};
+
+static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_fps = {
     .name = "fps",
-    .summary = "frames a second of plain, regular 13 and random 4: the paper's Table 1",
-    .text = "The three highlights of the paper's Table 1, beside a frame without highlight (none), a second "
-            "arm of the same random 4 "
-            "(A/A) and the pass that renders the environment map. The arms take turns frame by frame in "
-            "random order and every "
-            "frame is finished before the clock stops.",
+    .summary = "frames a second of plain, regular 13 and random 4: the paper's Table 1; what costs how much",
+    .text =
+        "The three highlights of the paper's Table 1, beside a frame without highlight (none), a second "
+        "arm of the same random 4 (A/A) and the pass that renders the environment map; then cost models by "
+        "picture size and samples, the map's size, objects, roughnesses, and texels of the exhaustive "
+        "method: on the first scene, or on all of them with --full. The arms of a series take turns frame "
+        "by frame in random order and every frame is finished before the clock stops; rounds go on until "
+        "every median is within 2 %, three times the least number of rounds, or a cap of seconds is reached "
+        "(time_precise says which). A difference below that of two equal arms decides nothing.",
     .scenes = scenes,
     .tables = tables,
     .n_tables = sizeof tables / sizeof tables[0],
+    .derived_tables = model_tables,
+    .n_derived_tables = sizeof model_tables / sizeof model_tables[0],
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
+    .figure_patterns = figure_patterns,
     .plan = plan,
-    .measure = measure,
+    .check = rl_fps_check,
+    .measure = rl_fps_measure,
+    .derive = rl_fps_derive,
     .judge = rl_fps_judge,
 };

@@ -1,0 +1,382 @@
+/* The claims that the study `fps` judges on what things cost: whether cost models describe the times, and what they say (see fps.h). */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "measure/statistics.h"
+#include "studies/fps.h"
+#include "studies/judging.h"
+
+/* One scene: what was measured, and the models fitted to it. */
+struct costs {
+    struct rl_judging measured, models;
+};
+
+static const struct rl_metric *model_metric(const struct costs *k, const char *model, const char *metric)
+{
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "model=%s", model);
+    return rl_judging_metric(&k->models, pattern, metric);
+}
+
+/* How far apart two arms of the same work were beside this model's cases; infinite: nobody knows. */
+static double noise_floor(const struct costs *k, const char *model)
+{
+    const struct rl_metric *m = model_metric(k, model, "noise_floor");
+    return m ? m->value : INFINITY;
+}
+
+/* What two equal arms may differ by decides nothing, in either direction. */
+static enum rl_verdict at_most(struct rl_interval x, double bound, double floor)
+{
+    if (x.high + floor <= bound)
+        return RL_VERDICT_HOLDS;
+    return x.low - floor > bound ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE;
+}
+
+/* Adds ", b 1.25 ns" with its interval. */
+static void note_term(struct rl_claim *c, const struct rl_metric *m, const char *name)
+{
+    size_t used = strlen(c->note);
+    if (m)
+        snprintf(c->note + used, sizeof c->note - used, "%s%s %.3g [%.3g, %.3g] %s", used ? "; " : "", name,
+                 m->value, m->low, m->high, m->unit);
+}
+
+static void note_fit(struct rl_claim *c, const struct costs *k, const char *model)
+{
+    static const char *const term[] = {"constant_ms",      "per_pixel_ns",       "per_drawn_pixel_ns",
+                                       "per_sample_ns",    "per_texel_ns",       "per_object_us",
+                                       "per_roughness_us", "per_texel_normal_ns"};
+    int n = 0;
+    for (size_t i = 0; i < sizeof term / sizeof term[0]; i++) {
+        const struct rl_metric *m = model_metric(k, model, term[i]);
+        const char name[2] = {(char)('a' + n), '\0'};
+        note_term(c, m, name);
+        n += m != NULL;
+    }
+    static const char *const worst[][2] = {{"worst_width", "width"},
+                                           {"worst_samples", "N"},
+                                           {"worst_env_size", "map"},
+                                           {"worst_objects", "objects"},
+                                           {"worst_roughnesses", "roughnesses"}};
+    const struct rl_metric *r2 = model_metric(k, model, "r2");
+    size_t used = strlen(c->note);
+    if (r2)
+        used += (size_t)snprintf(c->note + used, sizeof c->note - used, "; R^2 %.5g; worst:", r2->value);
+    for (size_t i = 0; i < sizeof worst / sizeof worst[0] && used < sizeof c->note; i++) {
+        const struct rl_metric *m = model_metric(k, model, worst[i][0]);
+        if (m)
+            used += (size_t)snprintf(c->note + used, sizeof c->note - used, " %s %g", worst[i][1], m->value);
+    }
+}
+
+/* Whether a model describes its series. A residual within what equal arms differ by is no fault of the model. */
+static int claim_fit(const struct costs *k, const char *model, const char *text)
+{
+    static const double bound = 0.05;
+    char words[200];
+    snprintf(words, sizeof words, "%s: no case is off by more than 5 %%", text);
+    struct rl_claim *c = rl_judging_claim(&k->measured, words);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *worst = model_metric(k, model, "worst_residual");
+    if (!worst)
+        return RL_OK;
+    rl_claim_value(c, worst->value, worst->low, worst->high, "of the time");
+    note_fit(c, k, model);
+    if (worst->high <= bound)
+        c->verdict = RL_VERDICT_HOLDS;
+    else if (worst->low - noise_floor(k, model) > bound)
+        c->verdict = RL_VERDICT_FAILS;
+    return RL_OK;
+}
+
+static int claim_fits(const struct costs *k)
+{
+    static const struct {
+        const char *model, *text;
+    } fit[] = {
+        {"none", "ours: the frame without highlight takes a + b x pixels"},
+        {"plain", "ours: what plain adds to it is a + b x pixels"},
+        {"random", "ours: what random adds to it is a + b x pixels x samples"},
+        {"random-pixels", "ours: what random adds to it is a + b x pixels + c x pixels x samples"},
+        {"regular", "ours: what regular adds to it is a + b x pixels x samples"},
+        {"regular-pixels", "ours: what regular adds to it is a + b x pixels + c x pixels x samples"},
+        {"environment-pass", "ours: drawing an environment map takes a + b x texels"},
+        {"objects-pass", "ours: drawing the environment maps takes a + b x objects"},
+        {"maps", "ours: baking normal maps takes a + b x roughnesses"},
+        {"exhaustive", "ours: exhaustive takes a + b x texel-normals"},
+    };
+    int status = RL_OK;
+    for (size_t i = 0; i < sizeof fit / sizeof fit[0] && status == RL_OK; i++)
+        status = claim_fit(k, fit[i].model, fit[i].text);
+    return status;
+}
+
+/* One model's coefficient over another's, at most `bound`. */
+static int claim_ratio(const struct costs *k, const char *text, const char *a, const char *b,
+                       const char *metric, double bound, const char *unit)
+{
+    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *x = model_metric(k, a, metric), *y = model_metric(k, b, metric);
+    if (!x || !y)
+        return RL_OK;
+    note_term(c, x, a);
+    note_term(c, y, b);
+    if (!(y->low > 0.0)) /* the divisor may be nothing: so may be anything the ratio */
+        return RL_OK;
+    rl_judging_ratio(c, x, y, unit);
+    c->verdict = at_most((struct rl_interval){c->value, c->low, c->high}, bound, noise_floor(k, a));
+    return RL_OK;
+}
+
+/* One more of something, in parts of what the highlight adds with one. */
+static int claim_one_more(const struct costs *k, const char *text, const char *model, double bound)
+{
+    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *constant = model_metric(k, model, "constant_ms");
+    const struct rl_metric *each = model_metric(k, model, "per_roughness_us");
+    if (!constant || !each)
+        return RL_OK;
+    double one = 1000.0 * constant->value + each->value;
+    rl_claim_value(c, each->value / one, each->low / one, each->high / one, "of what the highlight adds");
+    c->verdict = at_most((struct rl_interval){c->value, c->low, c->high}, bound, noise_floor(k, model));
+    note_fit(c, k, model);
+    return RL_OK;
+}
+
+/* Up to which picture size an arm keeps to 24 frames a second. */
+static int claim_reach(const struct costs *k, const char *arm, const char *text)
+{
+    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    char pattern[96];
+    snprintf(pattern, sizeof pattern, "series=size arm=%s", arm);
+    double width[RL_AXIS_MAX], reach = 0.0, beyond = NAN;
+    size_t n = rl_judging_axis(&k->measured, pattern, "width", width), held = 0;
+    enum rl_verdict verdict = RL_VERDICT_HOLDS;
+    for (size_t i = 0; i < n && verdict == RL_VERDICT_HOLDS; i++) {
+        char case_of[160];
+        snprintf(case_of, sizeof case_of, "%s width=%.17g", pattern, width[i]);
+        const struct rl_record *r = rl_run_find(k->measured.run, k->measured.scene, case_of);
+        const struct rl_metric *fps = r ? rl_record_metric(r, "fps") : NULL;
+        double pixels = r ? width[i] * rl_parameter_number(r->parameters, "height") : NAN;
+        if (!fps)
+            return RL_OK;
+        verdict = rl_verdict_at_least(fps->low, fps->high, RL_FILM_FPS);
+        if (verdict == RL_VERDICT_HOLDS) {
+            held++;
+            reach = pixels;
+        } else {
+            beyond = pixels;
+        }
+        size_t used = strlen(c->note);
+        snprintf(c->note + used, sizeof c->note - used, "%s%gx%g: %.3g frames/s", used ? "; " : "", width[i],
+                 rl_parameter_number(r->parameters, "height"), fps->value);
+    }
+    if (n == 0)
+        return RL_OK;
+    rl_claim_value(c, reach, reach, isnan(beyond) ? reach : beyond, "px");
+    c->verdict = held == n                     ? RL_VERDICT_HOLDS
+                 : verdict != RL_VERDICT_FAILS ? RL_VERDICT_INCONCLUSIVE
+                 : held > 0                    ? RL_VERDICT_HOLDS_UP_TO
+                                               : RL_VERDICT_FAILS;
+    return RL_OK;
+}
+
+/* The largest environment map in place of the smallest, in the frame that looks it up; paired by round. */
+static int claim_map_size(const struct costs *k)
+{
+    struct rl_claim *c = rl_judging_claim(
+        &k->measured,
+        "ours: the largest environment map measured in place of the smallest slows the frame of "
+        "random 4 by no more than 10 %");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double size[RL_AXIS_MAX];
+    size_t n = rl_judging_axis(&k->measured, "series=environment arm=random-4", "env_size", size);
+    char pattern[2][96];
+    const struct rl_series *time[2] = {NULL, NULL};
+    for (int i = 0; i < 2 && n > 1; i++) {
+        snprintf(pattern[i], sizeof pattern[i], "series=environment arm=random-4 env_size=%.17g",
+                 size[i ? n - 1 : 0]);
+        const struct rl_record *r = rl_run_find(k->measured.run, k->measured.scene, pattern[i]);
+        time[i] = r ? rl_record_series(r, "frame_ms") : NULL;
+    }
+    if (!time[0] || !time[1])
+        return RL_OK;
+    struct rl_interval x = rl_ratio_interval(time[1]->value, time[0]->value,
+                                             time[0]->n < time[1]->n ? time[0]->n : time[1]->n, 0.95);
+    rl_claim_value(c, x.value, x.low, x.high, "times");
+    c->verdict = at_most(x, 1.1, noise_floor(k, "environment-frame"));
+    snprintf(c->note, sizeof c->note, "%g against %g texels along an edge", size[n - 1], size[0]);
+    return RL_OK;
+}
+
+/* Counted, not timed. */
+static int claim_maps_of_objects(const struct costs *k)
+{
+    struct rl_claim *c =
+        rl_judging_claim(&k->measured, "paper: every object has an environment map of its own");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    double least = INFINITY, most = -INFINITY;
+    for (const struct rl_record *r = NULL;
+         (r = rl_run_next(k->measured.run, r, k->measured.scene, "series=objects arm=random-4"));) {
+        const struct rl_metric *maps = rl_record_metric(r, "env_maps");
+        double each = maps ? maps->value / rl_parameter_number(r->parameters, "objects") : NAN;
+        least = fmin(least, each);
+        most = fmax(most, each);
+    }
+    if (!(most >= least))
+        return RL_OK;
+    rl_claim_value(c, most, least, most, "maps an object");
+    c->verdict = rl_verdict_equals(least, most, 1.0, 0.0);
+    return RL_OK;
+}
+
+static int claim_baking(const struct costs *k)
+{
+    struct rl_claim *c = rl_judging_claim(
+        &k->measured,
+        "ours: the normal map of one more roughness is made within a frame of 24 frames/s, once");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *each = model_metric(k, "maps", "per_roughness_us");
+    if (!each)
+        return RL_OK;
+    rl_claim_value(c, 1e-3 * each->value, 1e-3 * each->low, 1e-3 * each->high, "ms");
+    c->verdict = rl_verdict_at_most(c->low, c->high, 1000.0 / RL_FILM_FPS);
+    return RL_OK;
+}
+
+/* The exhaustive case of most texel-normals. */
+static const struct rl_record *largest_exhaustive(const struct costs *k)
+{
+    const struct rl_record *found = NULL;
+    double most = 0.0;
+    for (const struct rl_record *r = NULL;
+         (r = rl_run_next(k->measured.run, r, k->measured.scene, "series=exhaustive arm=exhaustive"));) {
+        const struct rl_metric *m = rl_record_metric(r, "texel_normals");
+        if (m && m->value > most) {
+            most = m->value;
+            found = r;
+        }
+    }
+    return found;
+}
+
+static int claim_exhaustive(const struct costs *k)
+{
+    struct rl_claim *c = rl_judging_claim(
+        &k->measured, "paper: every texel at every pixel is no way to real time: exhaustive takes more than "
+                      "1/24 s a frame even at the small size measured");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_record *r = largest_exhaustive(k);
+    const struct rl_metric *ms = r ? rl_record_metric(r, "frame_ms") : NULL;
+    if (!ms)
+        return RL_OK;
+    rl_claim_value(c, ms->value, ms->low, ms->high, "ms");
+    c->verdict = rl_verdict_at_least(ms->low, ms->high, 1000.0 / RL_FILM_FPS);
+    snprintf(c->note, sizeof c->note, "%gx%g, %g texels along an edge of the map, on the CPU",
+             rl_parameter_number(r->parameters, "width"), rl_parameter_number(r->parameters, "height"),
+             rl_parameter_number(r->parameters, "env_size"));
+    return RL_OK;
+}
+
+/* At the size of Table 1 by the model alone: texel-normals grow with the pixels and with the map's texels. */
+static int claim_extrapolated(const struct costs *k)
+{
+    struct rl_claim *c = rl_judging_claim(
+        &k->measured, "ours: by its model, not measured: exhaustive at 640x480 with a map of 256 takes more "
+                      "than a second a frame");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_record *r = largest_exhaustive(k);
+    const struct rl_metric *a = model_metric(k, "exhaustive", "constant_ms");
+    const struct rl_metric *b = model_metric(k, "exhaustive", "per_texel_normal_ns");
+    if (!r || !a || !b)
+        return RL_OK;
+    const char *p = r->parameters;
+    double edges = 256.0 / rl_parameter_number(p, "env_size");
+    double times =
+        640.0 * 480.0 / (rl_parameter_number(p, "width") * rl_parameter_number(p, "height")) * edges * edges;
+    double texels = times * rl_record_metric(r, "texel_normals")->value;
+    rl_claim_value(c, 1e-3 * a->value + 1e-9 * b->value * texels, 1e-3 * a->low + 1e-9 * b->low * texels,
+                   1e-3 * a->high + 1e-9 * b->high * texels, "s, extrapolated");
+    c->verdict = rl_verdict_at_least(c->low, c->high, 1.0);
+    snprintf(c->note, sizeof c->note,
+             "a + b x %.3g texel-normals, %.3g times as many as in the largest case measured", texels, times);
+    return RL_OK;
+}
+
+static int judge_scene(const struct costs *k)
+{
+    int status = claim_fits(k);
+    if (status == RL_OK)
+        status =
+            claim_ratio(k, "ours: a normal of the fixed pattern costs no more than one from the normal map",
+                        "regular-pixels", "random-pixels", "per_sample_ns", 1.0, "times");
+    if (status == RL_OK)
+        status = claim_reach(k, "random-4",
+                             "paper: in real time: random 4 keeps to 24 frames/s at every size measured");
+    if (status == RL_OK)
+        status = claim_reach(k, "regular-13",
+                             "paper: in real time: regular 13 keeps to 24 frames/s at every size measured");
+    if (status == RL_OK)
+        status = claim_map_size(k);
+    if (status == RL_OK)
+        status = claim_maps_of_objects(k);
+    if (status == RL_OK)
+        status = claim_ratio(k,
+                             "ours: an object more, of as many pixels together, adds to the highlight's time "
+                             "what drawing it once more takes, and no more (to within a quarter)",
+                             "objects-frame", "objects-none", "per_object_us", 1.25, "times");
+    if (status == RL_OK)
+        status = claim_one_more(k, "ours: one more roughness adds no more than 5 % to what random 4 adds",
+                                "roughness-frame", 0.05);
+    if (status == RL_OK)
+        status =
+            claim_one_more(k,
+                           "ours: one more roughness, with bounding spheres of its own, adds no more than "
+                           "5 % to what random 4 adds",
+                           "roughness-margin", 0.05);
+    if (status == RL_OK)
+        status = claim_baking(k);
+    if (status == RL_OK)
+        status = claim_exhaustive(k);
+    return status == RL_OK ? claim_extrapolated(k) : status;
+}
+
+/* Whether more than Table 1 was planned on the scene. */
+static bool has_costs(const struct rl_run *run, const char *scene)
+{
+    for (size_t i = 0; i < run->n_records; i++)
+        if (strcmp(run->record[i].scene, scene) == 0 &&
+            !rl_parameters_match(run->record[i].parameters, "series=table1"))
+            return true;
+    return false;
+}
+
+int rl_fps_judge_costs(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    struct rl_run models;
+    int status = rl_fps_derive(&models, run, error);
+    if (status != RL_OK)
+        return status;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        struct costs costs = {{run, scene, claims, error}, {&models, scene, claims, error}};
+        if (has_costs(run, scene))
+            status = judge_scene(&costs);
+    }
+    rl_run_clear(&models);
+    return status;
+}
