@@ -49,14 +49,14 @@ static const struct grid {
                        .objects = {1, 2, 3},
                        .roughnesses = {1, 2, 4},
                        .normal_size = 64,
-                       .exhaustive = {{{40, 30}, 16}, {{40, 30}, 32}, {{40, 30}, 64}}},
+                       .exhaustive = {{{40, 30}, 16}, {{40, 30}, 64}, {{80, 60}, 16}, {{80, 60}, 32}}},
     [RL_GRID_DEFAULT] = {.table_size = {640, 480},
                          .table = {30, 2.5},
-                         .sizes = {10, 1.5},
+                         .sizes = {8, 1.5},
                          .environments = {15, 1.0},
-                         .many = {15, 1.0},
+                         .many = {10, 1.0},
                          .maps = {6, 0.5},
-                         .all_texels = {8, 1.0},
+                         .all_texels = {6, 1.0},
                          .size = {{320, 240}, {640, 480}, {1920, 1080}},
                          .heavy = 2,
                          .scene = {320, 240},
@@ -64,7 +64,11 @@ static const struct grid {
                          .objects = {1, 4, 10},
                          .roughnesses = {1, 2, 4},
                          .normal_size = 512,
-                         .exhaustive = {{{160, 120}, 32}, {{160, 120}, 64}, {{160, 120}, 128}}},
+                         .exhaustive = {{{160, 120}, 32},
+                                        {{160, 120}, 128},
+                                        {{160, 120}, 256},
+                                        {{320, 240}, 32},
+                                        {{320, 240}, 128}}},
     [RL_GRID_FULL] = {.table_size = {640, 480},
                       .every_scene = true,
                       .table = {300, 120.0},
@@ -80,11 +84,13 @@ static const struct grid {
                       .objects = {1, 2, 3, 4, 5, 6, 8, 10},
                       .roughnesses = {1, 2, 3, 4},
                       .normal_size = 512,
-                      .exhaustive = {{{80, 60}, 64},
-                                     {{160, 120}, 64},
-                                     {{320, 240}, 64},
+                      .exhaustive = {{{160, 120}, 32},
                                      {{160, 120}, 128},
-                                     {{160, 120}, 256}}},
+                                     {{160, 120}, 256},
+                                     {{320, 240}, 32},
+                                     {{320, 240}, 128},
+                                     {{320, 240}, 256},
+                                     {{640, 480}, 64}}},
 };
 
 enum { TABLE_ENV_SIZE = 256 };
@@ -331,17 +337,20 @@ static const struct rl_figure figures[] = {
      "The environment map's size: the pass that draws the map, with its fitted a + b x texels, and the frame "
      "of random 4 that looks it up."},
     {"objects",
-     "Objects of as many pixels together, each with an environment map of its own: the frame without and "
-     "with random 4, and the pass that draws all maps. Lines: a + b x objects."},
-    {"roughness",
-     "Roughnesses among four objects: the frame of random 4 without and with bounding spheres, and the frame "
-     "without highlight. Lines: what a + b x roughnesses adds to that."},
+     "Objects of as many pixels together, each with an environment map of its own: the frame without "
+     "highlight, what random 4 adds to it (it draws the objects once more), and the pass that draws all "
+     "maps. Bars: 95 % "
+     "intervals. Lines: a + b x objects; of what random 4 adds, a x pixels x samples + b x objects."},
+    {"roughness", "Roughnesses among four objects, a normal map each: what random 4 adds to the frame "
+                  "without highlight, and the same "
+                  "with bounding spheres of margin 0.5. Bars: 95 % intervals. Lines: a + b x roughnesses."},
     {"maps", "Normal maps, one a roughness: time to bake and upload them all, once, when a scene is set up. "
              "Line: a + b x "
              "roughnesses."},
-    {"exhaustive",
-     "Every texel of the map at every pixel, on the CPU: time of a frame by texel-normals. Line: a + b x "
-     "texel-normals. Beyond the last mark it is extrapolation."},
+    {"exhaustive", "Every texel of the map at every pixel, on the CPU: time of a frame by texel-normals, one "
+                   "line for each picture "
+                   "size: a + b x pixels + c x texel-normals (sizes between have no line). Beyond the marks "
+                   "it is extrapolation."},
 };
 
 static const char *const figure_patterns[] = {

@@ -21,7 +21,7 @@ struct subject {
     const struct rl_scene *scene;
     struct rl_bench_scene *set;
     struct rl_plan plan; /* of the CPU */
-    size_t texel_normals;
+    size_t texel_normals, foreground;
 };
 
 int rl_fps_check(const char *parameters, struct rl_error *error)
@@ -74,6 +74,7 @@ static int draw_exhaustive(void *user, double *seconds, struct rl_error *error)
     rl_image_clear(&image);
     *seconds = stats.seconds;
     s->texel_normals = stats.texels;
+    s->foreground = stats.foreground;
     return RL_OK;
 }
 
@@ -177,9 +178,12 @@ static int add_drawn(struct rl_record *r, const struct subject *s, struct rl_err
 /* How much there was to do. */
 static int add_work(struct rl_record *r, const struct subject *s, struct rl_error *error)
 {
-    if (on_cpu(r))
-        return add_number(r, "texel_normals", (double)s->texel_normals, "1", error);
-    int status = add_number(r, "env_maps", (double)s->set->plan.n_environments, "1", error);
+    int status = RL_OK;
+    if (on_cpu(r)) {
+        status = add_number(r, "texel_normals", (double)s->texel_normals, "1", error);
+        return status == RL_OK ? add_number(r, "drawn_px", (double)s->foreground, "px", error) : status;
+    }
+    status = add_number(r, "env_maps", (double)s->set->plan.n_environments, "1", error);
     if (status == RL_OK)
         status = add_number(r, "normal_maps", (double)s->set->plan.n_normal_maps, "1", error);
     bool sampled = rl_parameters_match(r->parameters, "method=random") ||

@@ -45,7 +45,7 @@ static const struct model {
     {"roughness-frame", "roughness", "random-4", true, 2, {CONSTANT, ROUGHNESSES}},
     {"roughness-margin", "roughness", "random-4-margin", true, 2, {CONSTANT, ROUGHNESSES}},
     {"maps", "maps", "normal-maps", false, 2, {CONSTANT, ROUGHNESSES}},
-    {"exhaustive", "exhaustive", "exhaustive", false, 2, {CONSTANT, TEXEL_NORMALS}},
+    {"exhaustive", "exhaustive", "exhaustive", false, 3, {CONSTANT, DRAWN, TEXEL_NORMALS}},
 };
 
 static bool same(const struct rl_record *a, const struct rl_record *b, const char *key)

@@ -259,12 +259,14 @@ static void coefficients(double c[], const struct rounds *r)
     }
 }
 
-/* The middle `level` of what the draws gave. */
+/* The middle `level` of what the draws gave, widened to hold the value: draws of the worst residual are all worse where the fit is close. */
 static void middle(struct rl_interval *interval, double *drawn, int resamples, double level)
 {
     qsort(drawn, (size_t)resamples, sizeof *drawn, compare_doubles);
-    interval->low = gsl_stats_quantile_from_sorted_data(drawn, 1, (size_t)resamples, 0.5 - 0.5 * level);
-    interval->high = gsl_stats_quantile_from_sorted_data(drawn, 1, (size_t)resamples, 0.5 + 0.5 * level);
+    double low = gsl_stats_quantile_from_sorted_data(drawn, 1, (size_t)resamples, 0.5 - 0.5 * level);
+    double high = gsl_stats_quantile_from_sorted_data(drawn, 1, (size_t)resamples, 0.5 + 0.5 * level);
+    interval->low = fmin(low, interval->value);
+    interval->high = fmax(high, interval->value);
 }
 
 static void fit_points(struct rl_fit *fit, struct rounds *r, int resamples, double level)

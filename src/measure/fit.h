@@ -39,7 +39,7 @@ struct rl_fit_point {
     int block; /* points of one block were measured in the same rounds: these are drawn together */
 };
 
-/* Every point weighs 1/y^2. The intervals hold the middle `level` of what `resamples` draws of rounds give. NaN as above, and where a
+/* Every point weighs 1/y^2. The intervals hold the middle `level` of what `resamples` draws of rounds give, and the value. NaN as above, and where a
  * y is not above 0. Points of a block have equally many rounds. */
 struct rl_fit rl_fit_rounds(const struct rl_fit_point *point, size_t n, int n_terms, double level,
                             int resamples, uint64_t seed);
