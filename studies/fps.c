@@ -26,14 +26,14 @@ static const struct grid {
     struct size table_size;
     bool every_scene; /* the other series too; else they are measured on a run's first scene */
     struct effort table, sizes, environments, many, maps, all_texels;
-    struct size size[8];
+    struct size size[10];
     int heavy;
     struct size scene; /* of environment, objects and roughness */
-    int env_size[8], objects[8], roughnesses[8], normal_size;
+    int env_size[8], objects[10], roughnesses[8], normal_size;
     struct {
         struct size size;
         int env_size;
-    } exhaustive[8];
+    } exhaustive[10];
 } grids[] = {
     [RL_GRID_QUICK] = {.table_size = {160, 120},
                        .table = {10, 1.0},

@@ -138,8 +138,9 @@ static void collect(struct cases *c, const struct model *m, const struct rl_run 
         struct rl_fit_point p = {.sample = time->value, .n = time->n, .block = r->group};
         if (m->above) {
             long none = rl_fps_arm(run->record, run->n_records, r, "none");
+            bool measured = none >= 0 && run->record[none].status == RL_RECORD_OK;
             const struct rl_series *base =
-                none >= 0 ? rl_record_series(&run->record[none], "frame_ms") : NULL;
+                measured ? rl_record_series(&run->record[none], "frame_ms") : NULL;
             if (!base || base->n != time->n)
                 continue;
             p.minus = base->value;

@@ -28,7 +28,29 @@ check "frames a second are the inverse of the frame time, the interval's ends ex
       if (!near(c["fps_low"] * c["frame_ms_high"], 1000, 1e-6) || !near(c["fps_high"] * c["frame_ms_low"], 1000, 1e-6)) bad("interval") }'
 check "the paper's Table 1 stands beside it" "$tmp/fps.tsv" '
     BEGIN { paper["plain"] = 530; paper["regular-13"] = 28; paper["random-4"] = 38 }
-    c["arm"] in paper { seen = 1; if (c["paper_fps"] != paper[c["arm"]]) bad(c["arm"] " " c["paper_fps"]) }'
+    c["series"] == "table1" && c["arm"] in paper { seen = 1; if (c["paper_fps"] != paper[c["arm"]]) bad(c["arm"] " " c["paper_fps"]) }'
+check "what is above the frame without highlight is the difference of both medians, nearly" "$tmp/fps.tsv" '
+    c["series"] == "table1" && c["arm"] == "none" { none = c["frame_ms"]; wide = c["frame_ms_high"] - c["frame_ms_low"] }
+    c["series"] == "table1" && c["arm"] == "regular-13" { seen = 1
+      off = c["frame_ms"] - none - c["above_baseline_ms"]
+      if ((off < 0 ? -off : off) > wide + c["frame_ms_high"] - c["frame_ms_low"]) bad("off by " off) }'
+check "the rounds stop at what was asked, and say how precise they are" "$tmp/fps.tsv" '
+    { seen = 1
+      if (c["frames"] < c["rounds"] || c["frames"] > 3 * c["rounds"]) bad("frames " c["frames"] " of " c["rounds"])
+      half = c["frame_ms_high"] - c["frame_ms"]; if (c["frame_ms"] - c["frame_ms_low"] > half) half = c["frame_ms"] - c["frame_ms_low"]
+      if (!near(c["time_precision"], half / c["frame_ms"], 1e-6)) bad("precision " c["time_precision"])
+      if (c["time_precise"] != (c["time_precision"] <= 0.02)) bad("precise " c["time_precise"]) }'
+check "an environment map an object, a normal map a roughness, about as many pixels" "$tmp/fps.tsv" '
+    c["series"] == "objects" && c["arm"] == "random-4" { seen = 1
+      if (c["env_maps"] != c["objects"]) bad("maps " c["env_maps"])
+      if (c["objects"] == 1) one = c["drawn_px"]
+      if (c["drawn_px"] < 0.6 * one || c["drawn_px"] > 1.4 * one) bad("drawn " c["drawn_px"] " against " one) }
+    c["series"] == "roughness" && c["arm"] == "random-4" && c["normal_maps"] != c["roughnesses"] { bad("maps " c["normal_maps"]) }'
+check "models name their points, and every interval holds its value" "$tmp/fps_models.tsv" '
+    { seen = 1
+      if (c["points"] < 3) bad(c["model"] " has " c["points"] " points")
+      for (k in c) { base = k; if (sub(/_low$/, "", base) && c[base] != "" && c[base] != "nan")
+          if (c[k] > c[base] + slack(c[base]) || c[base "_high"] < c[base] - slack(c[base])) bad(base " " c[k] " " c[base]) } }'
 check "every interval holds its value" "$tmp/samples.tsv" '
     { seen = 1
       for (k in c) { base = k; if (sub(/_low$/, "", base) && c[base] != "" && c[k] != "")

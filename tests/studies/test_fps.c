@@ -1,4 +1,5 @@
-/* The study `fps`: its verdicts follow from the raw frame times, paired by round; what chance explains decides nothing. */
+/* The study `fps`: its cases and scenes; its verdicts on Table 1 follow from the raw frame times, paired by round; what chance explains
+ * decides nothing. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,8 +10,11 @@
 #include <cmocka.h>
 
 #include "model/random.h"
+#include "scene/plan.h"
+#include "studies/fps.h"
 #include "studies/judged.h"
-#include "studies/study.h"
+#include "studies/planner.h"
+#include "support/check.h"
 
 enum { ROUNDS = 60 };
 
@@ -31,7 +35,7 @@ static void add_arm(struct rl_run *run, const char *arm, double ms, int index, c
         double chance = 2.0 * rl_random_uniform(11, (uint64_t)index * 1000 + (uint64_t)i) - 1.0;
         value[i] = ms * (1.0 + w->jitter * chance) * (1.0 + (i > 20 && i < 40 ? w->wave : 0.0));
     }
-    struct rl_record *r = rl_run_add(run, &place, 0, NULL, "arm=%s method=x samples=4", arm);
+    struct rl_record *r = rl_run_add(run, &place, 0, NULL, "arm=%s series=table1 method=x samples=4", arm);
     assert_int_equal(rl_record_series_add(r, "frame_ms", value, ROUNDS, NULL), RL_OK);
     r->status = RL_RECORD_OK;
 }
@@ -121,12 +125,109 @@ static void test_missing(void **state)
     assert_int_equal(judge(w, "the clock is fair").verdict, RL_VERDICT_INCONCLUSIVE);
 }
 
+static int count(const struct rl_run *run, const char *pattern)
+{
+    int n = 0;
+    for (size_t i = 0; i < run->n_records; i++)
+        n += rl_parameters_match(run->record[i].parameters, pattern);
+    return n;
+}
+
+/* Table 1 on every scene, the other series on the first one or with the full grid; no case twice, a group each series. */
+static void test_plan(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rl_grid grid;
+        int first_group, cases, groups;
+    } row[] = {{RL_GRID_QUICK, 0, 59, 7},
+               {RL_GRID_QUICK, 7, 6, 1},
+               {RL_GRID_DEFAULT, 0, 60, 7},
+               {RL_GRID_DEFAULT, 7, 6, 1},
+               {RL_GRID_FULL, 7, 119, 7}};
+    static const char *const series[] = {"series=table1",    "series=size",      "series=environment",
+                                         "series=objects",   "series=roughness", "series=maps",
+                                         "series=exhaustive"};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct rl_run run = {.study = "fps"};
+        assert_int_equal(rl_study_find("fps")->plan(&run, &place, row[i].grid, row[i].first_group, NULL),
+                         RL_OK);
+        if ((int)run.n_records != row[i].cases)
+            fail_msg("row %zu: %zu cases, expected %d", i, run.n_records, row[i].cases);
+        assert_int_equal(run.record[0].group, row[i].first_group);
+        assert_int_equal(run.record[run.n_records - 1].group, row[i].first_group + row[i].groups - 1);
+        assert_int_equal(count(&run, "series=table1"), 6);
+        for (int k = 0; k < 7; k++)
+            assert_int_equal(count(&run, series[k]) > 0, k < row[i].groups);
+        for (size_t k = 0; k < run.n_records; k++) {
+            if (count(&run, run.record[k].parameters) != 1)
+                fail_msg("twice: %s", run.record[k].parameters);
+            struct rl_settings settings;
+            assert_int_equal(rl_bench_settings(&settings, run.record[k].parameters, NULL), RL_OK);
+        }
+        rl_run_clear(&run);
+    }
+}
+
+/* Objects in place of one: an environment map each, a normal map each roughness, the programs shared; their pixels about as many. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    static const struct {
+        int objects, roughnesses;
+    } row[] = {{1, 1}, {2, 1}, {10, 1}, {4, 4}, {4, 3}};
+    struct rl_scene scene;
+    struct rl_error error = {0};
+    check_ok(rl_study_scene_load(&scene, "teapot-star", &error), &error);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct rl_scene copy;
+        struct rl_plan plan;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        check_ok(rl_fps_scene_make(&copy, &scene, row[i].objects, row[i].roughnesses, &error), &error);
+        check_ok(rl_plan_make(&plan, &copy, &settings, &error), &error);
+        assert_int_equal(plan.n_environments, row[i].objects);
+        assert_int_equal(plan.n_normal_maps, row[i].roughnesses);
+        assert_int_equal(plan.n_programs, 3); /* environment, surface, highlight */
+        double squares = 0.0;
+        for (size_t k = 0; k < copy.n_objects; k++) {
+            const struct rl_object *o = &copy.object[k];
+            rl_vec3 low, high, centre;
+            double radius;
+            rl_mesh_bounds(&o->mesh, &low, &high, &centre, &radius);
+            check_near(v3_length(v3_sub(centre, o->centre)), 0.0, 1e-5);
+            check_near(radius, o->radius, 1e-5);
+            squares += o->radius * o->radius;
+            for (size_t l = 0; l < k; l++) /* side by side, as seen by the camera */
+                assert_true(v3_length(v3_sub(o->centre, copy.object[l].centre)) >= 1.999 * o->radius);
+        }
+        check_relative(squares, scene.object[0].radius * scene.object[0].radius, 1e-12);
+        rl_plan_clear(&plan);
+        rl_fps_scene_free(&copy);
+    }
+    rl_scene_clear(&scene);
+
+    check_ok(rl_fps_check("series=size width=640", &error), &error);
+    check_ok(rl_fps_check("objects=10 roughnesses=1", &error), &error);
+    check_fails(rl_fps_check("objects=0", &error), &error, RL_ERR_INPUT,
+                "objects=0: expected a whole number");
+    check_fails(rl_fps_check("roughnesses=2.5", &error), &error, RL_ERR_INPUT, "roughnesses=2.5");
+    check_fails(rl_fps_check("objects=1001", &error), &error, RL_ERR_INPUT, "1 to 1000");
+}
+
+static void test_undecided(void **state)
+{
+    (void)state;
+    struct rl_run run = {.study = "fps", .grid = "default"};
+    assert_int_equal(rl_study_find("fps")->plan(&run, &place, RL_GRID_DEFAULT, 0, NULL), RL_OK);
+    check_undecided("fps", &run, 25);
+    rl_run_clear(&run);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_paired),
-        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_flips), cmocka_unit_test(test_paired), cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_plan),  cmocka_unit_test(test_scenes), cmocka_unit_test(test_undecided),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

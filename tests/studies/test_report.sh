@@ -87,7 +87,7 @@ check "it says how much there is to do (${groups:-nothing}) and, a study done, h
 check "every planned case is measured" [ "$(column planned "$tmp/status.tsv")" = "$(column measured "$tmp/status.tsv")" ]
 check "none failed" [ -z "$(column failed "$tmp/status.tsv" | grep -vx 0)" ]
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
-check "one more run has nothing to do" grep -q "^36 cases: 0 measured, 36 done before, 0 failed" "$tmp/stderr"
+check "one more run has nothing to do" grep -q "^95 cases: 0 measured, 95 done before, 0 failed" "$tmp/stderr"
 check "references are computed once each" [ "$(ls "$tmp/cache" | wc -l)" -eq 4 ]
 check "nothing half-written is left" [ -z "$(find "$tmp" -name '.*' -type f)" ]
 
@@ -101,7 +101,7 @@ ROUGHLIGHT_DATA=$tmp/empty "$rl" study run fps --quick --scene sphere-quad --db 
 check "a failing case gives exit code 3" [ $? -eq 3 ]
 check "and is named with the reason" grep -q "failed: fps sphere-quad arm=random-4 .*random" "$tmp/stderr"
 "$rl" study run fps --quick --scene sphere-quad --db "$tmp/broken.db" 2>"$tmp/stderr"
-check "with the fault repaired it is tried again" grep -q "6 cases: 6 measured, 0 done before, 0 failed" "$tmp/stderr"
+check "with the fault repaired it is tried again" grep -q "59 cases: 59 measured, 0 done before, 0 failed" "$tmp/stderr"
 
 # ---- The study that has cases without a scene ---------------------------------------------------------------------
 
@@ -122,7 +122,8 @@ check "claims.tsv has its columns" [ "$(head -n 1 "$tmp/tables/claims.tsv")" = \
 check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.tsv" |
     grep -vx 'holds\|holds up to\|fails\|inconclusive')" ]
 check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 25 ]
-check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 13 ]
+check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 72 ]
+check "and each cost model of the first scene" [ "$(wc -l <"$tmp/tables/fps_models.tsv")" -eq 16 ]
 check "a row each case of accuracy" [ "$(cat "$tmp"/tables/accuracy_*.tsv | wc -l)" -eq \
     $((3 + $("$rl" study status --db "$db" | awk -F "$tab" '$1 == "accuracy" { n += $5 } END { print n + 0 }'))) ]
 for integrator in reference cubature montecarlo vegas cubature-uv; do
@@ -134,7 +135,7 @@ check "raw frame times" [ "$(wc -l <"$tmp/tables/frame_times.tsv")" -gt 120 ]
 for column in rmse rmse_low rmse_high noise floor bias relmse max frame_ms samples rr env_size_px scene_hash; do
     check "samples.tsv has a column $column" [ -n "$(column $column "$tmp/tables/samples.tsv" | head -n 1)" ]
 done
-for table in claims samples fps accuracy_points frame_times; do
+for table in claims samples fps fps_models accuracy_points frame_times; do
     check "$table.json is an array of objects" [ "$(head -c 5 "$tmp/tables/$table.json" | tr -d '\n')" = "[  {" ]
 done
 
@@ -196,7 +197,7 @@ check "which is there" [ -z "$(for f in $shown; do [ -s "$tmp/report/$f" ] || ec
 check "and the overview shows one beside every claim" [ "$(grep -o 'class="whose' "$page" | wc -l)" -eq \
     "$(grep -o 'class="small"' "$page" | wc -l)" ]
 check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
-for study in samples:4 fps:4 accuracy:5; do
+for study in samples:4 fps:12 accuracy:5; do
     n=${study#*:} study=${study%:*}
     check "every figure of $study is drawn, as SVG, as PNG and in small" [ "$(ls "$tmp"/report/$study-*.svg | wc -l)" -eq $n \
         -a "$(ls "$tmp"/report/$study-*.png | wc -l)" -eq $((2 * n)) -a "$(ls "$tmp"/report/$study-*.small.png | wc -l)" -eq $n ]
