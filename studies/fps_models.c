@@ -128,19 +128,26 @@ static bool has_arm(const struct model *m, const struct rl_record *r)
     return false;
 }
 
+/* More roughnesses than there are objects otherwise take more objects, which have their own price. */
+static bool more_objects(const struct rl_record *r)
+{
+    return rl_parameters_match(r->parameters, "series=roughness") &&
+           rl_parameter_number(r->parameters, "roughnesses") > RL_FPS_OBJECTS;
+}
+
 static void collect(struct cases *c, const struct model *m, const struct rl_run *run, const char *scene)
 {
     c->n = 0;
     for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, scene, "")) && c->n < POINTS_MAX;) {
-        const struct rl_series *time = has_arm(m, r) ? rl_record_series(r, "frame_ms") : NULL;
+        const struct rl_series *time =
+            has_arm(m, r) && !more_objects(r) ? rl_record_series(r, "frame_ms") : NULL;
         if (!time)
             continue;
         struct rl_fit_point p = {.sample = time->value, .n = time->n, .block = r->group};
         if (m->above) {
             long none = rl_fps_arm(run->record, run->n_records, r, "none");
             bool measured = none >= 0 && run->record[none].status == RL_RECORD_OK;
-            const struct rl_series *base =
-                measured ? rl_record_series(&run->record[none], "frame_ms") : NULL;
+            const struct rl_series *base = measured ? rl_record_series(&run->record[none], "frame_ms") : NULL;
             if (!base || base->n != time->n)
                 continue;
             p.minus = base->value;
