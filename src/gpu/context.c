@@ -90,6 +90,7 @@ void rl_gpu_close(struct rl_gpu *gpu)
 {
     if (!gpu)
         return;
+    rl_kept_clear(&gpu->kept, &gpu->gl);
     gpu->backend->close(gpu->state);
     free(gpu);
 }

@@ -5,12 +5,14 @@
 #include "gpu/backend.h"
 #include "gpu/gl.h"
 #include "gpu/gpu.h"
+#include "gpu/kept.h"
 
 struct rl_gpu {
     const struct rl_gpu_backend *backend;
     void *state;
     struct rl_gl gl;
     struct rl_gpu_info info;
+    struct rl_kept kept;
 };
 
 #endif

@@ -6,7 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/hash.h"
 #include "gpu/modules.h"
+
+enum { PROGRAM_BYTES = 1 << 20 };
 
 unsigned rl_normal_map_step(int size)
 {
@@ -86,20 +89,6 @@ static int compile(GLuint *out, struct rl_gl *gl, GLenum stage, const char *sour
     return RL_OK;
 }
 
-static int assemble_and_compile(GLuint *shader, struct rl_gl *gl, GLenum stage,
-                                const struct rl_plan_program *program, const char *defines, const char *glue,
-                                struct rl_error *error)
-{
-    char *source = NULL;
-    bool vertex = stage == GL_VERTEX_SHADER;
-    int status = rl_modules_assemble(&source, program, vertex ? 0 : 1, vertex ? 1 : program->n_modules,
-                                     defines, glue, error);
-    if (status == RL_OK)
-        status = compile(shader, gl, stage, source, program, error);
-    free(source);
-    return status;
-}
-
 static int link_shaders(struct rl_gl *gl, GLuint id, GLuint vertex, GLuint fragment,
                         const struct rl_plan_program *program, struct rl_error *error)
 {
@@ -142,48 +131,85 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
     }
 }
 
-/* With the texts at hand that the caller frees. */
-static int build(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_plan_program *program,
-                 const char *defines, const char *glue, struct rl_error *error)
+/* A program's two texts. free() them. */
+struct texts {
+    char *vertex, *fragment;
+};
+
+static int assemble(struct texts *texts, const struct rl_plan_program *program, const char *defines,
+                    const char *glue, struct rl_error *error)
+{
+    int status = rl_modules_assemble(&texts->vertex, program, 0, 1, defines, NULL, error);
+    return status == RL_OK
+               ? rl_modules_assemble(&texts->fragment, program, 1, program->n_modules, defines, glue, error)
+               : status;
+}
+
+static int compile_and_link(GLuint *id, struct rl_gl *gl, const struct rl_plan_program *program,
+                            const struct texts *texts, struct rl_error *error)
 {
     GLuint vertex = 0;
     GLuint fragment = 0;
-    p->id = gl->CreateProgram();
-    int status = assemble_and_compile(&vertex, gl, GL_VERTEX_SHADER, program, defines, NULL, error);
+    *id = gl->CreateProgram();
+    int status = compile(&vertex, gl, GL_VERTEX_SHADER, texts->vertex, program, error);
     if (status == RL_OK)
-        status = assemble_and_compile(&fragment, gl, GL_FRAGMENT_SHADER, program, defines, glue, error);
+        status = compile(&fragment, gl, GL_FRAGMENT_SHADER, texts->fragment, program, error);
     if (status == RL_OK)
-        status = link_shaders(gl, p->id, vertex, fragment, program, error);
+        status = link_shaders(gl, *id, vertex, fragment, program, error);
     /* Zero is ignored. */
     gl->DeleteShader(vertex);
     gl->DeleteShader(fragment);
-    if (status != RL_OK)
-        return status;
-    find_uniforms(p, gl);
-    return rl_gl_check(gl, "compiling shaders", error);
+    if (status == RL_OK)
+        status = rl_gl_check(gl, "compiling shaders", error);
+    if (status != RL_OK) {
+        gl->DeleteProgram(*id);
+        *id = 0;
+    }
+    return status;
 }
 
-int rl_program_make(struct rl_gpu_program *p, struct rl_gl *gl, const struct rl_plan *plan, size_t index,
+/* Kept by its texts. */
+static int find_or_compile(GLuint *id, struct rl_gpu *gpu, const struct rl_plan_program *program,
+                           const struct texts *texts, struct rl_error *error)
+{
+    uint64_t key = rl_hash_bytes(RL_HASH_START, texts->vertex, strlen(texts->vertex) + 1);
+    key = rl_hash_bytes(key, texts->fragment, strlen(texts->fragment));
+    *id = rl_kept_take(&gpu->kept, RL_KEPT_PROGRAM, key);
+    if (*id)
+        return RL_OK;
+    int status = compile_and_link(id, &gpu->gl, program, texts, error);
+    return status == RL_OK
+               ? rl_kept_add(&gpu->kept, &gpu->gl, RL_KEPT_PROGRAM, key, *id, (size_t)PROGRAM_BYTES, error)
+               : status;
+}
+
+int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct rl_plan *plan, size_t index,
                     size_t n_lights, struct rl_error *error)
 {
     const struct rl_plan_program *program = &plan->program[index];
     char *defines = NULL;
     char *glue = NULL;
+    struct texts texts = {0};
     *p = (struct rl_gpu_program){0};
     p->material = find_material(plan, (int)index);
     int status = write_defines(&defines, plan, program, n_lights, error);
     if (status == RL_OK && p->material && p->material->surface_program == (int)index)
         status = write_glue(&glue, p->material, error);
     if (status == RL_OK)
-        status = build(p, gl, program, defines, glue, error);
+        status = assemble(&texts, program, defines, glue, error);
+    if (status == RL_OK)
+        status = find_or_compile(&p->id, gpu, program, &texts, error);
+    if (status == RL_OK)
+        find_uniforms(p, &gpu->gl);
+    free(texts.vertex);
+    free(texts.fragment);
     free(defines);
     free(glue);
     return status;
 }
 
-void rl_program_free(struct rl_gpu_program *program, const struct rl_gl *gl)
+void rl_program_free(struct rl_gpu_program *program, struct rl_gpu *gpu)
 {
-    if (program->id)
-        gl->DeleteProgram(program->id);
+    rl_kept_release(&gpu->kept, &gpu->gl, RL_KEPT_PROGRAM, program->id);
     program->id = 0;
 }

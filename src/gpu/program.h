@@ -2,7 +2,7 @@
 #ifndef RL_GPU_PROGRAM_H
 #define RL_GPU_PROGRAM_H
 
-#include "gpu/gl.h"
+#include "gpu/context.h"
 #include "scene/plan.h"
 
 struct rl_gpu_program {
@@ -15,11 +15,11 @@ struct rl_gpu_program {
     GLint method_params;
 };
 
-/* Assembles, compiles and links program `index` of the plan. Loop bounds and sizes known to the plan are
- * compiled in. */
-int rl_program_make(struct rl_gpu_program *program, struct rl_gl *gl, const struct rl_plan *plan,
+/* Assembles, compiles and links program `index` of the plan, or takes one of the same text that the context has kept: every uniform is
+ * set before each draw. Loop bounds and sizes known to the plan are compiled in. */
+int rl_program_make(struct rl_gpu_program *program, struct rl_gpu *gpu, const struct rl_plan *plan,
                     size_t index, size_t n_lights, struct rl_error *error);
-void rl_program_free(struct rl_gpu_program *program, const struct rl_gl *gl);
+void rl_program_free(struct rl_gpu_program *program, struct rl_gpu *gpu);
 
 /* The distance in texels, along the normal map's rows laid end to end, between two samples of one pixel: odd,
  * so that the multiples run through the whole map before they repeat, and near its golden section, so that

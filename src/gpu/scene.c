@@ -1,12 +1,14 @@
 /* Prepares a scene on the GPU according to its plan, frees it, and reads its picture back. */
 #include "gpu/scene.h"
 
+#include <inttypes.h>
 #include <limits.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/hash.h"
 #include "gpu/textures.h"
 
 static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
@@ -39,7 +41,7 @@ static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
 static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     for (size_t i = 0; i < gs->plan->n_programs; i++) {
-        int status = rl_program_make(&gs->program[i], &gs->gpu->gl, gs->plan, i, gs->scene->n_lights, error);
+        int status = rl_program_make(&gs->program[i], gs->gpu, gs->plan, i, gs->scene->n_lights, error);
         if (status != RL_OK)
             return status;
         gs->counters.programs++;
@@ -47,26 +49,58 @@ static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
     return RL_OK;
 }
 
+/* What a normal map's texels follow from. The method is one of a few constants: its name stands for it. */
+static uint64_t normal_map_key(const struct rl_plan_normal_map *map, const struct rl_settings *s)
+{
+    char text[160];
+    int n = snprintf(text, sizeof text, "%.64s %.17g %d %d %" PRIu64, map->method->name, map->rr,
+                     s->normal_bits, s->normal_size, s->seed);
+    return rl_hash_bytes(RL_HASH_START, text, (size_t)n);
+}
+
+static int make_normal_map(GLuint *texture, struct rl_gpu_scene *gs, const struct rl_plan_normal_map *map,
+                           const struct rl_settings *settings, struct rl_error *error)
+{
+    struct rl_gpu *gpu = gs->gpu;
+    uint64_t key = normal_map_key(map, settings);
+    *texture = rl_kept_take(&gpu->kept, RL_KEPT_TEXTURE, key);
+    if (*texture)
+        return RL_OK;
+    size_t bytes = 0;
+    int status = rl_normal_map_make(texture, &gpu->gl, map, settings, &bytes, error);
+    gs->counters.bytes_uploaded += bytes;
+    if (status == RL_OK)
+        return rl_kept_add(&gpu->kept, &gpu->gl, RL_KEPT_TEXTURE, key, *texture, bytes, error);
+    gpu->gl.DeleteTextures(1, texture);
+    *texture = 0;
+    return status;
+}
+
 static int make_normal_maps(struct rl_gpu_scene *gs, const struct rl_settings *settings,
                             struct rl_error *error)
 {
     const struct rl_plan *plan = gs->plan;
-    struct rl_gl *gl = &gs->gpu->gl;
     int status = RL_OK;
     for (size_t i = 0; i < plan->n_normal_maps && status == RL_OK; i++) {
-        status = rl_normal_map_make(&gs->normal_map[i], gl, &plan->normal_map[i], settings,
-                                    &gs->counters.bytes_uploaded, error);
+        status = make_normal_map(&gs->normal_map[i], gs, &plan->normal_map[i], settings, error);
         gs->counters.textures++;
     }
     return status;
+}
+
+static void free_normal_maps(struct rl_gpu_scene *gs)
+{
+    for (size_t i = 0; i < gs->plan->n_normal_maps; i++) {
+        rl_kept_release(&gs->gpu->kept, &gs->gpu->gl, RL_KEPT_TEXTURE, gs->normal_map[i]);
+        gs->normal_map[i] = 0;
+    }
 }
 
 int rl_gpu_scene_reseed(struct rl_gpu_scene *gs, uint64_t seed, struct rl_error *error)
 {
     struct rl_settings settings = gs->plan->settings;
     settings.seed = seed;
-    gs->gpu->gl.DeleteTextures((GLsizei)gs->plan->n_normal_maps, gs->normal_map);
-    memset(gs->normal_map, 0, gs->plan->n_normal_maps * sizeof *gs->normal_map);
+    free_normal_maps(gs);
     return make_normal_maps(gs, &settings, error);
 }
 
@@ -221,14 +255,14 @@ void rl_gpu_scene_free(struct rl_gpu_scene *gs)
         return;
     const struct rl_gl *gl = &gs->gpu->gl;
     for (size_t i = 0; gs->program && i < gs->plan->n_programs; i++)
-        rl_program_free(&gs->program[i], gl);
+        rl_program_free(&gs->program[i], gs->gpu);
     for (size_t i = 0; gs->object && i < gs->scene->n_objects; i++) {
         gl->DeleteVertexArrays(1, &gs->object[i].vertex_array);
         gl->DeleteBuffers(1, &gs->object[i].vertex_buffer);
         gl->DeleteBuffers(1, &gs->object[i].index_buffer);
     }
     if (gs->normal_map)
-        gl->DeleteTextures((GLsizei)gs->plan->n_normal_maps, gs->normal_map);
+        free_normal_maps(gs);
     if (gs->pattern)
         gl->DeleteBuffers((GLsizei)gs->plan->n_patterns, gs->pattern);
     rl_environments_free(gs);
