@@ -85,6 +85,7 @@
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                 \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                             \
     X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)           \
+    X(PFNGLSCISSORPROC, Scissor)                                   \
     X(PFNGLVIEWPORTPROC, Viewport)
 /* clang-format on */
 

@@ -61,6 +61,9 @@ int rl_gpu_normal_map_read(float **texels, struct rl_gpu *gpu, const struct rl_p
 /* Draws one frame (surface, sphere and highlight passes) into the scene's frame buffer and waits until it is
  * finished; *seconds is its wall time. The environment maps are not drawn again: */
 int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
+/* Makes OpenGL compile what it compiles at the first frame, so that no frame takes longer than the next. Draws one pixel: the frame
+ * buffer holds no picture after it. */
+int rl_gpu_scene_warm_up(struct rl_gpu_scene *gs, struct rl_error *error);
 /* Draws every environment map again, waits; for lights or objects that move. */
 int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error);
 

@@ -126,6 +126,19 @@ static void highlight_pass(struct rl_gpu_scene *gs)
     }
 }
 
+int rl_gpu_scene_warm_up(struct rl_gpu_scene *gs, struct rl_error *error)
+{
+    const struct rl_gl *gl = &gs->gpu->gl;
+    const struct rl_gpu_counters before = gs->counters;
+    double seconds;
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(0, 0, 1, 1);
+    int status = rl_gpu_scene_frame(gs, &seconds, error);
+    gl->Disable(GL_SCISSOR_TEST);
+    gs->counters = before;
+    return status;
+}
+
 int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error *error)
 {
     bool spheres = false;
