@@ -85,7 +85,9 @@ static int time_images(struct rl_record *records, struct arm *arm, size_t n, str
         return rl_fail(error, RL_ERR_INPUT, "rounds=%g: expected 1 to %d", rounds, ROUNDS_MAX);
     options.min_rounds = options.max_rounds = (int)rounds;
     struct rl_timing timing;
+    enum rl_spent_kind outer = rl_spent_on(&arm[0].bench->spent, RL_SPENT_MEASURED);
     int status = rl_timing_run(&timing, timed, n, &options, &arm[0].bench->quiet, error);
+    rl_spent_on(&arm[0].bench->spent, outer);
     if (status != RL_OK)
         return status;
     for (size_t i = 0; i < n && status == RL_OK; i++)

@@ -96,6 +96,7 @@ static int time_arms(struct rl_record *records, struct arm *arm, size_t n, struc
 {
     struct rl_timing_arm timed[RL_TIMING_ARMS_MAX];
     double seconds = rl_parameter_number(records[0].parameters, "seconds");
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_SETUP);
     for (size_t i = 0; i < n; i++) {
         choose_calls(&arm[i], seconds);
         timed[i] = (struct rl_timing_arm){records[i].parameters, run_calls, &arm[i]};
@@ -104,7 +105,9 @@ static int time_arms(struct rl_record *records, struct arm *arm, size_t n, struc
     options.warm_up = 1;
     options.min_rounds = options.max_rounds = (int)rl_parameter_number(records[0].parameters, "rounds");
     struct rl_timing timing;
+    rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
     int status = rl_timing_run(&timing, timed, n, &options, &bench->quiet, error);
+    rl_spent_on(&bench->spent, outer);
     if (status != RL_OK)
         return status;
     for (size_t i = 0; i < n && status == RL_OK; i++)

@@ -215,10 +215,13 @@ static int visit_points(struct arm *arm, size_t n, enum rl_point_light_kind kind
         struct place place;
         if (rl_progress_cancelled(&bench->quiet))
             return rl_fail(error, RL_ERR_CANCELLED, "interrupted; what was finished is kept");
+        rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
         status = place_make(&place, kind, i, error);
         if (status != RL_OK)
             break;
+        rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
         status = take_turns(arm, n, &place, i, error);
+        rl_spent_on(&bench->spent, RL_SPENT_EVALUATION);
         rl_light_set_free(place.set);
     }
     return status;

@@ -18,6 +18,7 @@ int rl_bench_open(struct rl_bench *bench, const char *backend, int threads, cons
                   const struct rl_progress *progress, struct rl_error *error)
 {
     *bench = (struct rl_bench){.threads = threads, .cache = cache};
+    rl_spent_begin(&bench->spent, RL_SPENT_SETUP);
     /* The callback's `user` is not const, but it is only asked. */
     bench->quiet = (struct rl_progress){.cancelled = ask_owner, .user = (void *)progress};
     int status = rl_gpu_open(&bench->gpu, backend, error);
@@ -31,6 +32,7 @@ int rl_bench_open(struct rl_bench *bench, const char *backend, int threads, cons
     if (mesa_threads)
         snprintf(bench->provenance.renderer + used, sizeof bench->provenance.renderer - used,
                  ", LP_NUM_THREADS=%.8s", mesa_threads);
+    rl_spent_on(&bench->spent, RL_SPENT_HARNESS);
     return RL_OK;
 }
 
@@ -113,8 +115,8 @@ static int copy_scene(struct rl_bench_scene *set, const struct rl_scene *scene, 
     return RL_OK;
 }
 
-int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, const struct rl_scene *scene,
-                        const char *parameters, uint64_t seed, struct rl_error *error)
+static int make_scene(struct rl_bench_scene **out, struct rl_bench *bench, const struct rl_scene *scene,
+                      const char *parameters, uint64_t seed, struct rl_error *error)
 {
     *out = NULL;
     struct rl_bench_scene *set = calloc(1, sizeof *set);
@@ -122,6 +124,7 @@ int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, con
         rl_error_set(error, RL_ERR_SYSTEM, "out of memory for a scene");
         return RL_ERR_SYSTEM;
     }
+    set->bench = bench;
     struct rl_settings settings;
     int status = rl_bench_settings(&settings, parameters, error);
     settings.seed = seed;
@@ -131,6 +134,8 @@ int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, con
         status = rl_plan_make(&set->plan, &set->scene, &settings, error);
     if (status == RL_OK)
         status = rl_gpu_scene_make(&set->gpu_scene, bench->gpu, &set->scene, &set->plan, error);
+    if (status == RL_OK)
+        status = rl_gpu_scene_warm_up(set->gpu_scene, error);
     if (status != RL_OK) {
         rl_bench_scene_free(set);
         return status;
@@ -139,14 +144,37 @@ int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, con
     return RL_OK;
 }
 
+int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, const struct rl_scene *scene,
+                        const char *parameters, uint64_t seed, struct rl_error *error)
+{
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_SETUP);
+    int status = make_scene(out, bench, scene, parameters, seed, error);
+    rl_spent_on(&bench->spent, outer);
+    return status;
+}
+
 void rl_bench_scene_free(struct rl_bench_scene *set)
 {
     if (!set)
         return;
+    enum rl_spent_kind outer = rl_spent_on(&set->bench->spent, RL_SPENT_SETUP);
     rl_gpu_scene_free(set->gpu_scene);
     rl_plan_clear(&set->plan);
     free(set->scene.material);
+    rl_spent_on(&set->bench->spent, outer);
     free(set);
+}
+
+int rl_bench_draw(struct rl_image *image, struct rl_bench *bench, struct rl_bench_scene *set,
+                  struct rl_error *error)
+{
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
+    double seconds = 0.0;
+    int status = rl_gpu_scene_frame(set->gpu_scene, &seconds, error);
+    if (status == RL_OK)
+        status = rl_gpu_scene_read(set->gpu_scene, image, error);
+    rl_spent_on(&bench->spent, outer);
+    return status;
 }
 
 int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struct rl_scene *scene,
@@ -154,11 +182,8 @@ int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struc
 {
     struct rl_bench_scene *set;
     int status = rl_bench_scene_make(&set, bench, scene, parameters, seed, error);
-    double seconds = 0.0;
     if (status == RL_OK)
-        status = rl_gpu_scene_frame(set->gpu_scene, &seconds, error);
-    if (status == RL_OK)
-        status = rl_gpu_scene_read(set->gpu_scene, image, error);
+        status = rl_bench_draw(image, bench, set, error);
     rl_bench_scene_free(set);
     return status;
 }

@@ -19,12 +19,14 @@
 #include "results/provenance.h"
 #include "scene/plan.h"
 #include "scene/scene.h"
+#include "studies/spent.h"
 
 struct rl_bench {
     struct rl_gpu *gpu;
     struct rl_provenance provenance;
     int threads;              /* of the CPU renderer; 0: as many as the process may use */
     const char *cache;        /* folder where references are kept; made when first needed */
+    struct rl_spent spent;    /* where the time goes; the functions here note what they do themselves */
     struct rl_progress quiet; /* asks the owner's progress whether to stop, but reports nothing to it */
     /* References kept in memory, one of each kind (enum rl_light_from), with their keys; key 0: none. */
     uint64_t reference_key[2];
@@ -38,6 +40,7 @@ void rl_bench_close(struct rl_bench *bench);
 
 /* A scene on the GPU with the settings of a case. */
 struct rl_bench_scene {
+    struct rl_bench *bench;
     struct rl_scene scene; /* a view of the caller's: only `material` is a copy */
     struct rl_plan plan;
     struct rl_gpu_scene *gpu_scene;
@@ -53,6 +56,10 @@ int rl_bench_scene_make(struct rl_bench_scene **out, struct rl_bench *bench, con
                         const char *parameters, uint64_t seed, struct rl_error *error);
 /* NULL is fine. */
 void rl_bench_scene_free(struct rl_bench_scene *set);
+
+/* Draws a frame and reads it, on the clock of what is measured. */
+int rl_bench_draw(struct rl_image *image, struct rl_bench *bench, struct rl_bench_scene *set,
+                  struct rl_error *error);
 
 /* One picture: made, drawn, read. */
 int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struct rl_scene *scene,

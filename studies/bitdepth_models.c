@@ -66,15 +66,21 @@ int rl_bitdepth_pattern_picture(struct rl_image *image, struct rl_bench *bench, 
         return status;
     for (size_t i = 0; i < plan.n_patterns; i++)
         plan.pattern[i].method = &method;
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_SETUP);
     struct rl_gpu_scene *gs = NULL;
     double seconds = 0.0;
     status = rl_gpu_scene_make(&gs, bench->gpu, scene, &plan, error);
     if (status == RL_OK)
+        status = rl_gpu_scene_warm_up(gs, error);
+    rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
+    if (status == RL_OK)
         status = rl_gpu_scene_frame(gs, &seconds, error);
     if (status == RL_OK)
         status = rl_gpu_scene_read(gs, image, error);
+    rl_spent_on(&bench->spent, RL_SPENT_SETUP);
     rl_gpu_scene_free(gs);
     rl_plan_clear(&plan);
+    rl_spent_on(&bench->spent, outer);
     return status;
 }
 

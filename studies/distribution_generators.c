@@ -187,6 +187,7 @@ static int draw(double *value, struct model *m, struct rl_settings *settings, ui
 {
     float *texels = NULL;
     int status = RL_OK;
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
     m->seed = settings->seed = seed;
     if (m->generator == BAKED) {
         const struct rl_plan_normal_map map = {.rr = settings->rr, .method = rl_method_find("random")};
@@ -197,6 +198,7 @@ static int draw(double *value, struct model *m, struct rl_settings *settings, ui
         value[i] = pixel(m, i % m->size, i / m->size);
     free(texels);
     m->texels = NULL;
+    rl_spent_on(&bench->spent, outer);
     return status;
 }
 
@@ -262,7 +264,9 @@ static int measure_point(struct rl_record *r, struct model *m, struct rl_setting
     if (!(seeds >= 2.0 && seeds <= SEEDS_MAX))
         return rl_fail(error, RL_ERR_INPUT, "seeds=%g: expected 2 to %d", seeds, SEEDS_MAX);
     struct rl_estimate truth = {0};
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
     int status = integrate(&truth, m, v3(0.0, 0.0, 0.0), error);
+    rl_spent_on(&bench->spent, outer);
     size_t n = (size_t)seeds;
     for (size_t k = 0; k < n && status == RL_OK; k++) {
         status = draw(value, m, settings, k + 1, bench, error);
@@ -280,10 +284,12 @@ static int measure_patch(struct rl_record *r, struct model *m, struct rl_setting
     int status = RL_OK;
     if (rl_parameters_match(r->parameters, "generator=reference")) {
         struct rl_estimate truth = {0};
+        enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
         for (int i = 0; i < (int)n && status == RL_OK; i++) {
             status = integrate(&truth, m, point_at(m, i % m->size, i / m->size), error);
             value[i] = truth.value[0];
         }
+        rl_spent_on(&bench->spent, outer);
     } else {
         status = draw(value, m, settings, 1, bench, error);
     }

@@ -39,20 +39,15 @@ static double printed_length(rl_vec3 N)
     return hypot(N.y, N.z);
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* What sampling needs to be told, and room to sort in. */
+/* What sampling needs to be told, and room for what it gives. */
 struct sampling {
     struct rl_ellipsoid e;
     size_t samples;
     double *delta;
+    struct rl_spent *spent;
 };
 
-/* |delta| of the normals drawn about N in this frame, sorted: normals `stream` on of the random numbers. */
+/* |delta| of the normals drawn about N in this frame: normals `stream` on of the random numbers. */
 static void draw(const struct sampling *s, enum rl_frame_kind kind, rl_vec3 N, uint64_t stream)
 {
     struct rl_frame frame = rl_frame_make(kind, N);
@@ -64,7 +59,38 @@ static void draw(const struct sampling *s, enum rl_frame_kind kind, rl_vec3 N, u
         /* The angle from its tangent: the cosine of a small angle says little about it. */
         s->delta[i] = atan2(v3_length(v3_cross(N, H)), v3_dot(N, H));
     }
-    qsort(s->delta, s->samples, sizeof *s->delta, compare_doubles);
+}
+
+static void swap(double *a, double *b)
+{
+    double kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+/* The value that would stand at `k` if all were sorted; smaller ones come to stand before it, larger ones behind (Hoare 1961). */
+static double select_value(double *value, size_t n, size_t k)
+{
+    size_t low = 0, high = n - 1;
+    while (low < high) {
+        double pivot = value[low + (high - low) / 2];
+        size_t i = low, j = high;
+        for (;;) {
+            while (value[i] < pivot)
+                i++;
+            while (value[j] > pivot)
+                j--;
+            if (i >= j)
+                break;
+            swap(&value[i++], &value[j--]);
+        }
+        /* Up to j nothing is larger than the pivot, behind it nothing smaller. */
+        if (k <= j)
+            high = j;
+        else
+            low = j + 1;
+    }
+    return value[k];
 }
 
 /* Quantiles of |delta|. */
@@ -74,9 +100,12 @@ struct width {
 
 static struct width width_of(const struct sampling *s, enum rl_frame_kind kind, rl_vec3 N, uint64_t stream)
 {
+    enum rl_spent_kind outer = rl_spent_on(s->spent, RL_SPENT_MEASURED);
     draw(s, kind, N, stream);
-    size_t n = s->samples;
-    return (struct width){s->delta[(size_t)(0.5 * (double)n)], s->delta[(size_t)(0.9 * (double)n)]};
+    rl_spent_on(s->spent, outer);
+    size_t n = s->samples, middle = (size_t)(0.5 * (double)n), upper = (size_t)(0.9 * (double)n);
+    double median = select_value(s->delta, n, middle);
+    return (struct width){median, select_value(s->delta + middle, n - middle, upper - middle)};
 }
 
 /* Printed over orthonormal, each with random numbers of its own. */
@@ -145,7 +174,7 @@ static int add_map(struct rl_record *r, const struct sampling *s, size_t columns
     return status;
 }
 
-static int measure_lobe(struct rl_record *r, size_t points, struct rl_error *error)
+static int measure_lobe(struct rl_record *r, size_t points, struct rl_spent *spent, struct rl_error *error)
 {
     double samples = rl_parameter_number(r->parameters, "samples");
     double columns = rl_parameter_number(r->parameters, "columns");
@@ -153,7 +182,8 @@ static int measure_lobe(struct rl_record *r, size_t points, struct rl_error *err
         return rl_fail(error, RL_ERR_INPUT, "samples=%g columns=%g: expected 10 to %d, 0 to 360", samples,
                        columns, SAMPLES_MAX);
     struct sampling s = {.e = rl_ellipsoid_make(rl_parameter_number(r->parameters, "rr")),
-                         .samples = (size_t)samples};
+                         .samples = (size_t)samples,
+                         .spent = spent};
     double *room = malloc((3 * points + s.samples) * sizeof *room);
     if (!room)
         return rl_fail_memory(error, "a lobe's normals");
@@ -247,7 +277,7 @@ static int add_highlights(struct rl_record *r, const double *profile, const doub
     return status == RL_OK ? rl_record_series_add(r, "profile", profile, 2 * n, error) : status;
 }
 
-static int measure_light(struct rl_record *r, size_t points, struct rl_error *error)
+static int measure_light(struct rl_record *r, size_t points, struct rl_spent *spent, struct rl_error *error)
 {
     struct rl_ellipsoid e = rl_ellipsoid_make(rl_parameter_number(r->parameters, "rr"));
     double beside = rl_parameter_number(r->parameters, "beside_rad");
@@ -256,6 +286,7 @@ static int measure_light(struct rl_record *r, size_t points, struct rl_error *er
     if (!profile)
         return rl_fail_memory(error, "a profile");
     double *orthonormal = profile + 2 * points;
+    enum rl_spent_kind outer = rl_spent_on(spent, RL_SPENT_REFERENCE);
     int status = RL_OK;
     for (size_t i = 0; i < points && status == RL_OK; i++) {
         rl_vec3 N = sphere_point(i, points);
@@ -265,6 +296,7 @@ static int measure_light(struct rl_record *r, size_t points, struct rl_error *er
         profile[2 * i] = fabs(N.x);
         profile[2 * i + 1] = value[1] - value[0];
     }
+    rl_spent_on(spent, outer);
     if (status == RL_OK)
         status = add_highlights(r, profile, orthonormal, points, room, error);
     free(profile);
@@ -343,7 +375,7 @@ int rl_frame_measure(struct rl_record *records, size_t n, struct rl_bench *bench
         if (!(points >= 2.0 && points <= POINTS_MAX))
             return rl_fail(error, RL_ERR_INPUT, "points=%g: expected 2 to %d", points, POINTS_MAX);
         bool lobe = rl_parameters_match(r->parameters, "series=lobe");
-        status = (lobe ? measure_lobe : measure_light)(r, (size_t)points, error);
+        status = (lobe ? measure_lobe : measure_light)(r, (size_t)points, &bench->spent, error);
     }
     return status;
 }

@@ -19,6 +19,7 @@ static const double same_base = 1e-3;
 static int render_base(struct rl_image *base, struct rl_bench *bench, const struct rl_scene *scene,
                        const struct rl_settings *settings, struct rl_error *error)
 {
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
     struct rl_scene bare = *scene;
     struct rl_plan plan = {0};
     struct rl_render_stats stats;
@@ -31,6 +32,7 @@ static int render_base(struct rl_image *base, struct rl_bench *bench, const stru
     int status = rl_plan_make(&plan, &bare, settings, error);
     if (status == RL_OK)
         status = rl_reference_render(base, &stats, &bare, &plan, bench->threads, &bench->quiet, error);
+    rl_spent_on(&bench->spent, outer);
     rl_plan_clear(&plan);
     free(bare.material);
     return status;

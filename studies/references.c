@@ -93,7 +93,9 @@ int rl_bench_reference(const struct rl_image **out, struct rl_bench *bench, cons
         rl_image_clear(&bench->reference[from]);
         bench->reference_key[from] = 0;
         struct rl_image image = {0};
+        enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
         status = find(&image, bench, scene, &settings, key, error);
+        rl_spent_on(&bench->spent, outer);
         if (status != RL_OK) {
             rl_image_clear(&image);
             return rl_fail_prefix(error, "reference");

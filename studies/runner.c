@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "results/database.h"
@@ -38,13 +39,41 @@ static int group_state(struct work *w, const struct rl_run *run, size_t first, e
     return status;
 }
 
+/* What a group took, kept with its first case. The harness's own work on it is still to come. */
+static int add_spent(struct rl_record *r, const double before[RL_SPENT_KINDS], const struct rl_spent *after,
+                     struct rl_error *error)
+{
+    int status = RL_OK;
+    for (int k = 0; k < RL_SPENT_HARNESS && status == RL_OK; k++) {
+        char name[RL_NAME_MAX];
+        double seconds = after->seconds[k] - before[k];
+        snprintf(name, sizeof name, "spent_%s", rl_spent_name((enum rl_spent_kind)k));
+        status = rl_record_metric_add(r, name, seconds, seconds, seconds, "s", error);
+    }
+    return status;
+}
+
+/* The study's own measuring, on its clock. */
+static int measure_on_clock(struct work *w, struct rl_planned *p, struct rl_record *r, size_t n,
+                            struct rl_error *error)
+{
+    struct rl_spent *spent = &w->bench.spent;
+    double before[RL_SPENT_KINDS];
+    memcpy(before, spent->seconds, sizeof before);
+    rl_spent_on(spent, RL_SPENT_EVALUATION);
+    int status = p->study->measure(r, n, &w->bench, rl_planned_scene(p, r), error);
+    /* Whatever an error left the clock on. */
+    rl_spent_on(spent, RL_SPENT_HARNESS);
+    return status == RL_OK ? add_spent(r, before, spent, error) : status;
+}
+
 static int measure_group(struct work *w, struct rl_planned *p, size_t first, struct rl_error *error)
 {
     struct rl_record *r = &p->run.record[first];
     size_t n = rl_group_end(&p->run, first) - first;
     double start = rl_clock_seconds();
     struct rl_error why = {0};
-    int status = p->study->measure(r, n, &w->bench, rl_planned_scene(p, r), &why);
+    int status = measure_on_clock(w, p, r, n, &why);
     if (status == RL_ERR_CANCELLED) {
         if (error)
             *error = why;
@@ -158,7 +187,9 @@ int rl_studies_run(struct rl_run_outcome *outcome, const struct rl_study *const 
     for (size_t i = 0; i < w.n_planned; i++)
         rl_planned_free(w.planned[i]);
     free(w.planned);
-    rl_bench_close(&w.bench);
     rl_database_close(w.database);
+    rl_spent_on(&w.bench.spent, RL_SPENT_HARNESS);
+    memcpy(outcome->seconds, w.bench.spent.seconds, sizeof outcome->seconds);
+    rl_bench_close(&w.bench);
     return status;
 }

@@ -2,6 +2,9 @@
  *
  * A case that fails is kept with its message and does not stop the others; it is left alone until a run asks for it (retry). Each
  * group is stored as soon as it is measured, so that an interruption, however rude, loses at most the group that was being measured.
+ *
+ * Where the time of a group went (spent.h) is kept with its first case, as the metrics spent_measured, spent_reference, spent_setup and
+ * spent_evaluation, seconds.
  */
 #ifndef RL_STUDIES_RUNNER_H
 #define RL_STUDIES_RUNNER_H
@@ -11,11 +14,13 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "studies/planner.h"
+#include "studies/spent.h"
 
 struct rl_run_outcome {
     size_t planned; /* cases; of the shard, if one was asked for, as all of these */
     size_t measured, skipped;
-    size_t failed; /* in this run or, without retry, before */
+    size_t failed;                  /* in this run or, without retry, before */
+    double seconds[RL_SPENT_KINDS]; /* of the whole run, from its call to its end */
 };
 
 /* All studies are planned before the first is measured. RL_OK even if cases failed: look at the outcome. RL_ERR_CANCELLED: what was

@@ -30,12 +30,11 @@ int rl_seeds_draw(struct rl_seeds *s, struct rl_bench *bench, struct rl_bench_sc
     while (s->n < (size_t)n && status == RL_OK) {
         if (rl_progress_cancelled(&bench->quiet))
             return rl_fail(error, RL_ERR_CANCELLED, "interrupted; what was finished is kept");
-        double seconds = 0.0;
+        enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_SETUP);
         status = rl_gpu_scene_reseed(set->gpu_scene, s->n + 1, error);
+        rl_spent_on(&bench->spent, outer);
         if (status == RL_OK)
-            status = rl_gpu_scene_frame(set->gpu_scene, &seconds, error);
-        if (status == RL_OK)
-            status = rl_gpu_scene_read(set->gpu_scene, &s->image[s->n++], error);
+            status = rl_bench_draw(&s->image[s->n++], bench, set, error);
     }
     return status;
 }

@@ -209,6 +209,11 @@ static int carry_out(const struct request *r, struct rl_error *error)
     if (status == RL_OK || status == RL_ERR_CANCELLED)
         fprintf(stderr, "%zu cases: %zu measured, %zu done before, %zu failed\n", outcome.planned,
                 outcome.measured, outcome.skipped, outcome.failed);
+    if (status == RL_OK || status == RL_ERR_CANCELLED) {
+        char spent[256];
+        rl_spent_text(spent, sizeof spent, outcome.seconds);
+        fprintf(stderr, "%s\n", spent);
+    }
     if (outcome.failed > 0)
         rl_study_name_failures(r->study, r->n_studies, r->run.database, false);
     return status == RL_OK && outcome.failed > 0 ? RL_EXIT_PARTIAL : rl_exit_of(status);
