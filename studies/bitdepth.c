@@ -52,11 +52,12 @@ static const struct grid grids[] = {
 /* Full precision first. */
 static const char *const bits[] = {"float", "4", "5", "6", "8", "10", "12", "16", "half"};
 static const char *const formats[] = {"rgba32f", "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f"};
-/* Against 8; "8 again" is the same work. */
+/* Against 8; "8 again" is the same work, "none" a frame without a highlight. */
 static const struct {
-    const char *arm, *bits;
-} timed[] = {{"8", "8"},   {"8-again", "8"}, {"4", "4"},        {"10", "10"},
-             {"16", "16"}, {"half", "half"}, {"float", "float"}};
+    const char *arm, *method, *bits;
+} timed[] = {{"8", "random", "8"},       {"8-again", "random", "8"},  {"none", "none", "8"},
+             {"4", "random", "4"},       {"10", "random", "10"},      {"16", "random", "16"},
+             {"half", "random", "half"}, {"float", "random", "float"}};
 
 enum {
     N_BITS = sizeof bits / sizeof bits[0],
@@ -106,9 +107,10 @@ static bool add_time(const struct point *p)
     const struct grid *g = p->grid;
     for (int i = 0; i < N_TIMED; i++)
         if (!rl_run_add(p->run, p->place, p->group, p->error,
-                        "series=time arm=%s method=random samples=4 rr=30 normal_bits=%s normal_size=%d "
+                        "series=time arm=%s method=%s samples=4 rr=30 normal_bits=%s normal_size=%d "
                         "env_size=256 env_format=rgba8 rounds=%d width=%d height=%d",
-                        timed[i].arm, timed[i].bits, g->time_map, g->rounds, g->time_width, g->time_height))
+                        timed[i].arm, timed[i].method, timed[i].bits, g->time_map, g->rounds, g->time_width,
+                        g->time_height))
             return false;
     return true;
 }
@@ -158,6 +160,10 @@ static const struct rl_column time_columns[] = {
     {"height_px", RL_COLUMN_NUMBER, "height"},
     RL_COLUMNS_WITH_INTERVAL("frame_ms"),
     RL_COLUMNS_WITH_INTERVAL("time_to_8"),
+    RL_COLUMNS_WITH_INTERVAL("above_baseline_ms"),
+    {"frames", RL_COLUMN_VALUE, "frames"},
+    {"time_precision", RL_COLUMN_VALUE, "time_precision"},
+    {"time_capped", RL_COLUMN_VALUE, "time_capped"},
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
 };
 

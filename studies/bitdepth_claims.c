@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "measure/statistics.h"
 #include "studies/bitdepth.h"
 #include "studies/judging.h"
+#include "studies/timing_arms.h"
 
 /* "Almost no difference": this share of the noise of 4 random normals, and one step of an 8-bit frame buffer. */
 static const double share_of_noise = 0.1;
@@ -129,20 +129,14 @@ static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
     return RL_OK;
 }
 
-static struct rl_interval time_ratio(const struct rl_judging *j, const char *arm)
+static const struct rl_metric *time_ratio(const struct rl_judging *j, const char *arm)
 {
     char pattern[64];
     snprintf(pattern, sizeof pattern, "series=time arm=%.30s", arm);
-    const struct rl_record *a = rl_run_find(j->run, j->scene, pattern);
-    const struct rl_record *b = rl_run_find(j->run, j->scene, "series=time arm=8");
-    const struct rl_series *x = a ? rl_record_series(a, "frame_ms") : NULL;
-    const struct rl_series *y = b ? rl_record_series(b, "frame_ms") : NULL;
-    if (!x || !y)
-        return (struct rl_interval){NAN, NAN, NAN};
-    return rl_ratio_interval(x->value, y->value, x->n < y->n ? x->n : y->n, 0.95);
+    return rl_judging_metric(j, pattern, "time_to_8");
 }
 
-/* Two arms of the same work must not differ by more than is asked about, or the clock cannot tell. */
+/* A difference smaller than that of two arms of the same work decides nothing. */
 static int claim_time(const struct rl_judging *j)
 {
     static const struct {
@@ -157,15 +151,14 @@ static int claim_time(const struct rl_judging *j)
         if (!c)
             return RL_ERR_SYSTEM;
         c->figure = "time";
-        struct rl_interval t = time_ratio(j, row[k].arm), same = time_ratio(j, "8-again");
-        double noise = fmax(same.high - 1.0, 1.0 - same.low);
-        if (isnan(t.value))
+        double noise = rl_arms_noise(time_ratio(j, "8-again"));
+        const struct rl_metric *t = time_ratio(j, row[k].arm);
+        if (!t)
             continue;
-        rl_claim_value(c, t.value, t.low, t.high, "times");
+        rl_claim_value(c, t->value, t->low, t->high, "times");
         snprintf(c->note, sizeof c->note, "4 random normals, paired by round; 8 bits against itself: %.2g",
                  noise);
-        if (noise <= time_slack)
-            c->verdict = rl_verdict_at_most(t.low, t.high, 1.0 + time_slack);
+        c->verdict = rl_arms_at_most(t, noise, 1.0 + time_slack);
     }
     return RL_OK;
 }

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "measure/statistics.h"
-#include "measure/timing.h"
 #include "studies/bitdepth.h"
+#include "studies/timing_arms.h"
 
 /* Where the work on one group stands. */
 struct group {
@@ -171,24 +171,7 @@ static int measure_one(struct rl_record *r, struct group *g)
     return status;
 }
 
-static int draw_frame(void *user, double *seconds, struct rl_error *error)
-{
-    const struct rl_bench_scene *set = user;
-    return rl_gpu_scene_frame(set->gpu_scene, seconds, error);
-}
-
-static int add_times(struct rl_record *r, const struct rl_timing *t, size_t i, struct rl_error *error)
-{
-    struct rl_interval ms = rl_median_interval(t->ms[i], t->n_rounds, 0.95);
-    int status = rl_record_metric_add(r, "frame_ms", ms.value, ms.low, ms.high, "ms", error);
-    if (status == RL_OK)
-        status = add(r, "time_to_8", rl_ratio_interval(t->ms[i], t->ms[0], t->n_rounds, 0.95), error);
-    if (status == RL_OK)
-        status = rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error);
-    return status;
-}
-
-/* The arms take turns frame by frame; the first is that of 8 bits. */
+/* The arms take turns frame by frame; times are relative to the arm of 8 bits. */
 static int measure_time(struct rl_record *records, size_t n, struct group *g)
 {
     struct rl_bench_scene *set[RL_TIMING_ARMS_MAX] = {NULL};
@@ -199,22 +182,17 @@ static int measure_time(struct rl_record *records, size_t n, struct group *g)
                                RL_TIMING_ARMS_MAX);
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = rl_bench_scene_make(&set[i], g->bench, g->scene, records[i].parameters, 1, g->error);
-        arm[i] = (struct rl_timing_arm){records[i].parameters, draw_frame, set[i]};
+        arm[i] = (struct rl_timing_arm){records[i].parameters, rl_arms_frame, set[i]};
     }
     int rounds = (int)rl_parameter_number(records[0].parameters, "rounds");
-    struct rl_timing_options options = RL_TIMING_DEFAULT;
-    options.warm_up = 3;
-    options.min_rounds = rounds;
-    options.max_rounds = 2 * rounds;
-    options.max_seconds = 0.04 * rounds;
-    struct rl_timing timing;
+    const struct rl_arms_options options = {.frames = rounds,
+                                            .most_frames = 2 * rounds,
+                                            .most_seconds = 0.04 * rounds,
+                                            .baseline = "arm=none",
+                                            .against = "arm=8",
+                                            .ratio = "time_to_8"};
     if (status == RL_OK)
-        status = rl_timing_run(&timing, arm, n, &options, &g->bench->quiet, g->error);
-    if (status == RL_OK) {
-        for (size_t i = 0; i < n && status == RL_OK; i++)
-            status = add_times(&records[i], &timing, i, g->error);
-        rl_timing_clear(&timing);
-    }
+        status = rl_arms_time(records, arm, n, g->bench, &options, g->error);
     for (size_t i = 0; i < n && i < RL_TIMING_ARMS_MAX; i++)
         rl_bench_scene_free(set[i]);
     return status;

@@ -56,16 +56,17 @@ static int rounds_at(const struct grid *g, double rr)
     return 0;
 }
 
-static const char paper[] = "method=random samples=4 normal_bits=8 env_size=256 env_format=rgba8";
+static const char paper[] = "samples=4 normal_bits=8 env_size=256 env_format=rgba8";
 
 static int add_arm(struct rl_run *run, const struct rl_place *place, const struct grid *g, double rr,
-                   int group, const char *arm, const char *margin, struct rl_error *error)
+                   int group, const char *arm, const char *margin, const char *method, struct rl_error *error)
 {
-    return rl_run_add(run, place, group, error,
-                      "series=margin arm=%s rr=%g margin=%s %s seeds=%d rounds=%d width=%d height=%d "
-                      "timed_width=%d timed_height=%d tolerance=%g",
-                      arm, rr, margin, paper, g->seeds, rounds_at(g, rr), g->width, g->height, g->timed_width,
-                      g->timed_height, g->tolerance)
+    return rl_run_add(
+               run, place, group, error,
+               "series=margin arm=%s rr=%g margin=%s method=%s %s seeds=%d rounds=%d width=%d height=%d "
+               "timed_width=%d timed_height=%d tolerance=%g",
+               arm, rr, margin, method, paper, g->seeds, rounds_at(g, rr), g->width, g->height,
+               g->timed_width, g->timed_height, g->tolerance)
                ? RL_OK
                : RL_ERR_SYSTEM;
 }
@@ -74,15 +75,19 @@ static int plan_margins(struct rl_run *run, const struct rl_place *place, const 
                         int group, struct rl_error *error)
 {
     static const struct {
-        const char *arm, *margin;
-    } fixed[] = {{"off", "off"}, {"again", "off"}, {"huge", "1e6"}, {"auto", "auto"}};
+        const char *arm, *margin, *method;
+    } fixed[] = {{"off", "off", "random"},
+                 {"again", "off", "random"},
+                 {"none", "off", "none"},
+                 {"huge", "1e6", "random"},
+                 {"auto", "auto", "random"}};
     int status = RL_OK;
     for (size_t i = 0; i < sizeof fixed / sizeof fixed[0] && status == RL_OK; i++)
-        status = add_arm(run, place, g, rr, group, fixed[i].arm, fixed[i].margin, error);
+        status = add_arm(run, place, g, rr, group, fixed[i].arm, fixed[i].margin, fixed[i].method, error);
     for (int i = 0; g->margin[i] >= 0.0 && status == RL_OK; i++) {
         char margin[32];
         snprintf(margin, sizeof margin, "%g", g->margin[i]);
-        status = add_arm(run, place, g, rr, group, margin, margin, error);
+        status = add_arm(run, place, g, rr, group, margin, margin, "random", error);
     }
     return status;
 }
@@ -92,7 +97,8 @@ static int plan_bounds(struct rl_run *run, const struct rl_place *place, const s
 {
     for (int i = 0; g->loss[i] > 0.0; i++)
         if (!rl_run_add(run, place, group, error,
-                        "series=bound loss=%g rr=%g %s seeds=1 rounds=0 width=%d height=%d tolerance=%g",
+                        "series=bound loss=%g rr=%g method=random %s seeds=1 rounds=0 width=%d height=%d "
+                        "tolerance=%g",
                         g->loss[i], rr, paper, g->width, g->height, g->tolerance))
             return RL_ERR_SYSTEM;
     return RL_OK;
@@ -135,6 +141,10 @@ static const struct rl_column columns[] = {
     RL_COLUMNS_WITH_INTERVAL("frame_ms"),
     RL_COLUMNS_WITH_INTERVAL("time_to_off"),
     RL_COLUMNS_WITH_INTERVAL("above_off_ms"),
+    RL_COLUMNS_WITH_INTERVAL("above_baseline_ms"),
+    {"frames", RL_COLUMN_VALUE, "frames"},
+    {"time_precision", RL_COLUMN_VALUE, "time_precision"},
+    {"time_capped", RL_COLUMN_VALUE, "time_capped"},
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
 };
 
@@ -163,7 +173,7 @@ static const struct rl_figure figures[] = {
      "Where a mark is missing the closed form has no sphere."},
 };
 
-static const char *const scenes[] = {"teapot-star", "sphere-quad", NULL};
+static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_margin = {
     .name = "margin",

@@ -5,7 +5,7 @@
 #include "studies/seeds.h"
 #include "studies/study.h"
 
-/* Two kinds of cases. "series=margin arm=A": one group for each R_r, of the arms off, again (off once more: the noise floor), the
+/* Two kinds of cases. "series=margin arm=A": one group for each R_r, of the arms off, again (off once more: the noise floor), none, the
  * margins, auto and huge (which lets every pixel through: what the pass itself costs). "series=bound loss=X": the margin
  * that rl_margin_auto gives for the loss X, without a clock.
  *
@@ -14,7 +14,7 @@
  * its interval over seeds, and worst, the most that a channel of a pixel loses in one of them; and of the integral itself, seen from
  * the object's centre, missed_exact, worst_exact and loss_exact, the mean over the pixels skipped. Losses are in units of the
  * brightest light's radiance. bound: what auto promises for worst_exact. from_rr: the R_r from which on auto has a
- * sphere. Of all where timed: frame_ms with its series, time_to_off and above_off_ms. */
+ * sphere. Of all where timed, and of an arm none without a highlight: what timing_arms.h adds, against that and against off. */
 int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                       const struct rl_scene *scene, struct rl_error *error);
 

@@ -5,6 +5,7 @@
 
 #include "studies/judging.h"
 #include "studies/margin.h"
+#include "studies/timing_arms.h"
 
 static const double enough_energy = 0.01, cheap_pass = 0.1;
 
@@ -16,11 +17,10 @@ static const struct rl_metric *find(const struct rl_judging *j, const char *arm,
     return rl_judging_metric(j, pattern, metric);
 }
 
-/* The largest relative difference of two arms of the same work that is still chance; NaN if it was not measured. */
+/* Two arms of the same work. */
 static double noise_floor(const struct rl_judging *j, double rr)
 {
-    const struct rl_metric *same = find(j, "again", rr, "time_to_off");
-    return same ? fmax(same->high - 1.0, 1.0 - same->low) : NAN;
+    return rl_arms_noise(find(j, "again", rr, "time_to_off"));
 }
 
 /* The worst pixel of all R_r where auto has a sphere speaks for all. */
@@ -104,17 +104,11 @@ static int claim_energy(const struct rl_judging *j, const double *rr, size_t n, 
 static enum rl_verdict saves_time(const struct rl_judging *j, double rr)
 {
     const struct rl_metric *spheres = find(j, "auto", rr, "spheres");
-    const struct rl_metric *times = find(j, "auto", rr, "time_to_off");
-    double noise = noise_floor(j, rr);
     if (!spheres)
         return RL_VERDICT_INCONCLUSIVE;
     if (spheres->value == 0.0)
         return RL_VERDICT_FAILS;
-    if (!times || isnan(noise))
-        return RL_VERDICT_INCONCLUSIVE;
-    return times->high < 1.0 - noise ? RL_VERDICT_HOLDS
-           : times->low > 1.0        ? RL_VERDICT_FAILS
-                                     : RL_VERDICT_INCONCLUSIVE;
+    return rl_arms_at_most(find(j, "auto", rr, "time_to_off"), noise_floor(j, rr), 1.0);
 }
 
 static int claim_time(const struct rl_judging *j, const double *rr, size_t n)
@@ -166,7 +160,7 @@ static int claim_cost(const struct rl_judging *j, const double *rr, size_t n)
         if (times->value - 1.0 <= c->value)
             continue;
         rl_claim_value(c, times->value - 1.0, times->low - 1.0, times->high - 1.0, "of a frame");
-        c->verdict = rl_verdict_at_most(c->low, c->high, cheap_pass);
+        c->verdict = rl_arms_at_most(times, noise_floor(j, rr[i]), 1.0 + cheap_pass);
     }
     return RL_OK;
 }

@@ -3,10 +3,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "measure/statistics.h"
-#include "measure/timing.h"
 #include "scene/margin.h"
 #include "studies/margin.h"
+#include "studies/timing_arms.h"
 
 enum { ARMS_MAX = 24, TEXT_MAX = RL_PARAMETERS_MAX + 64 };
 
@@ -111,43 +110,6 @@ static int measure_losses(struct rl_record *records, size_t n, struct rl_bench *
     return status;
 }
 
-static int frame(void *user, double *seconds, struct rl_error *error)
-{
-    const struct rl_bench_scene *set = user;
-    return rl_gpu_scene_frame(set->gpu_scene, seconds, error);
-}
-
-static int add_interval(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-                        struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
-/* Against the arm without spheres, round by round. */
-static int add_times(struct rl_record *records, size_t n, const struct rl_timing *t, struct rl_error *error)
-{
-    size_t off = 0;
-    while (off < n && !rl_parameters_match(records[off].parameters, "arm=off"))
-        off++;
-    if (off == n)
-        return rl_fail(error, RL_ERR_INPUT, "a group without the arm 'off'");
-    int status = RL_OK;
-    for (size_t i = 0; i < n && status == RL_OK; i++) {
-        const double *ms = t->ms[i];
-        status =
-            add_interval(&records[i], "frame_ms", rl_median_interval(ms, t->n_rounds, 0.95), "ms", error);
-        if (status == RL_OK)
-            status = add_interval(&records[i], "time_to_off",
-                                  rl_ratio_interval(ms, t->ms[off], t->n_rounds, 0.95), "1", error);
-        if (status == RL_OK)
-            status = add_interval(&records[i], "above_off_ms",
-                                  rl_difference_interval(ms, t->ms[off], t->n_rounds, 0.95), "ms", error);
-        if (status == RL_OK)
-            status = rl_record_series_add(&records[i], "frame_ms", ms, t->n_rounds, error);
-    }
-    return status;
-}
-
 /* Frames larger than those whose loss is measured, for which a reference would take long. */
 static int measure_times(struct rl_record *records, size_t n, struct rl_bench *bench,
                          const struct rl_scene *scene, struct rl_error *error)
@@ -156,23 +118,23 @@ static int measure_times(struct rl_record *records, size_t n, struct rl_bench *b
     int rounds = (int)rl_parameter_number(p, "rounds");
     struct rl_bench_scene *set[ARMS_MAX] = {NULL};
     struct rl_timing_arm arm[ARMS_MAX];
-    struct rl_timing timing = {0};
-    struct rl_timing_options options = RL_TIMING_DEFAULT;
-    options.min_rounds = rounds;
-    options.max_rounds = rounds;
+    const struct rl_arms_options options = {.frames = rounds,
+                                            .most_frames = 2 * rounds,
+                                            .most_seconds = 0.04 * rounds,
+                                            .baseline = "arm=none",
+                                            .against = "arm=off",
+                                            .ratio = "time_to_off",
+                                            .difference = "above_off_ms"};
     char head[64];
     snprintf(head, sizeof head, "width=%g height=%g ", rl_parameter_number(p, "timed_width"),
              rl_parameter_number(p, "timed_height"));
     int status = RL_OK;
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = make_set(&set[i], bench, scene, head, &records[i], error);
-        arm[i] = (struct rl_timing_arm){records[i].parameters, frame, set[i]};
+        arm[i] = (struct rl_timing_arm){records[i].parameters, rl_arms_frame, set[i]};
     }
     if (status == RL_OK)
-        status = rl_timing_run(&timing, arm, n, &options, &bench->quiet, error);
-    if (status == RL_OK)
-        status = add_times(records, n, &timing, error);
-    rl_timing_clear(&timing);
+        status = rl_arms_time(records, arm, n, bench, &options, error);
     for (size_t i = 0; i < n; i++)
         rl_bench_scene_free(set[i]);
     return status;

@@ -54,7 +54,7 @@ struct rl_column {
     {name, RL_COLUMN_VALUE, name}, {name "_low", RL_COLUMN_LOW, name}, {name "_high", RL_COLUMN_HIGH, name}
 /* clang-format on */
 
-enum { RL_TABLE_COLUMNS_MAX = 48 };
+enum { RL_TABLE_COLUMNS_MAX = 64 };
 
 /* The last column of every table of records: the case's identity (results/record.h), by which claims name their cases. */
 extern const char rl_identity_column[];
