@@ -9,78 +9,96 @@
 #include "studies/seeds.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 
 /* Both methods at each R_r and N. Where there are rounds, all N of one R_r are one group, so that their clocks run side by
- * side; else each N is a group of its own, soon done. Lists end with 0. */
+ * side, beside a frame without a highlight and random 4 once more; else each N is a group of its own, soon done. Lists end with 0. */
 struct block {
     bool fine; /* settings: the paper's, or fine ones */
     double rr[8];
-    int samples[13];
+    int samples[16];
+    int most_regular; /* N of the fixed patterns that are drawn: large ones are dear */
     int seeds, rounds;
 };
 
 struct grid {
-    int width, height;
+    int width, height, seeds; /* seeds: of the floor */
     double tolerance;
-    struct block block[4]; /* one without seeds ends the list */
-    int floor_env[12], floor_samples, floor_seeds;
+    struct block block[4]; /* one without samples ends the list */
+    int fine_env, floor_env[12], floor_samples;
 };
 
-/* Large N are dear and have little noise: fewer seeds and no clock there. */
+#define EVERY_N                                                                                              \
+    {                                                                                                        \
+        1, 2, 3, 4, 5, 8, 13, 16, 32, 64, 128, 256, 512, 1024                                                \
+    }
+
+/* At R_r = 300 few pixels are bright, and their noise needs more seeds to be known as well. */
 static const struct grid grids[] = {
-    [RL_GRID_QUICK] = {.width = 160,
-                       .height = 120,
+    [RL_GRID_QUICK] = {.width = 120,
+                       .height = 90,
+                       .seeds = 4,
                        .tolerance = 1e-4,
-                       .block = {{false, {3}, {1, 4, 13, 32, 64}, 4, 0},
-                                 {false, {30}, {1, 4, 13, 32, 64}, 4, 6}},
+                       .block = {{false, {3}, {1, 4, 13, 32, 64}, 64, 4, 0},
+                                 {false, {30}, {1, 3, 4, 5, 13, 32, 64}, 64, 4, 6}},
+                       .fine_env = 512,
                        .floor_env = {16, 64, 256, 512},
-                       .floor_samples = 64,
-                       .floor_seeds = 4},
-    [RL_GRID_DEFAULT] = {.width = 320,
-                         .height = 240,
+                       .floor_samples = 64},
+    [RL_GRID_DEFAULT] = {.width = 120,
+                         .height = 90,
+                         .seeds = 16,
                          .tolerance = 1e-4,
-                         .block = {{false, {3, 300}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 8, 0},
-                                   {false, {30}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 8, 9},
-                                   {false, {30}, {512, 1024}, 4, 0},
-                                   {true, {30}, {1, 4, 16, 64, 256, 1024}, 4, 0}},
+                         .block = {{false, {3}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 64, 16, 0},
+                                   {false, {300}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 64, 32, 0},
+                                   {false, {30}, EVERY_N, 64, 16, 30},
+                                   {true, {30}, {1, 4, 16, 64, 256}, 64, 16, 0}},
+                         .fine_env = 1024,
                          .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048},
-                         .floor_samples = 256,
-                         .floor_seeds = 4},
+                         .floor_samples = 64},
     [RL_GRID_FULL] = {.width = 640,
                       .height = 480,
+                      .seeds = 16,
                       .tolerance = 1e-5,
-                      .block = {{false,
-                                 {1, 3, 10, 30, 100, 300, 1000},
-                                 {1, 2, 4, 8, 13, 16, 32, 64, 128, 256, 512, 1024},
-                                 16,
-                                 30},
-                                {true,
-                                 {1, 3, 10, 30, 100, 300, 1000},
-                                 {1, 2, 4, 8, 13, 16, 32, 64, 128, 256, 512, 1024},
-                                 16,
-                                 0}},
+                      .block = {{false, {1, 3, 10, 30, 100, 300, 1000}, EVERY_N, 1024, 16, 30},
+                                {true, {1, 3, 10, 30, 100, 300, 1000}, EVERY_N, 1024, 16, 0}},
+                      .fine_env = 2048,
                       .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096},
-                      .floor_samples = 1024,
-                      .floor_seeds = 8},
+                      .floor_samples = 1024},
 };
 
 static const double floor_rr = 30.0;
 
-/* One group: N normals by both methods. */
-static int plan_methods(struct rl_run *run, const struct rl_place *place, const struct grid *g,
-                        const struct block *b, int group, int samples, double rr, struct rl_error *error)
+/* What the cases of one group have in common. */
+struct point {
+    struct rl_run *run;
+    const struct rl_place *place;
+    const struct grid *grid;
+    const struct block *block;
+    double rr;
+    int group;
+    struct rl_error *error;
+};
+
+static bool add(const struct point *p, const char *series, const char *setting, const char *method,
+                int samples, int seeds)
 {
-    static const char *const method[] = {"regular", "random"};
-    for (int m = 0; m < 2; m++)
-        if (!rl_run_add(run, place, group, error,
-                        "series=methods setting=%s method=%s samples=%d rr=%g %s seeds=%d rounds=%d width=%d "
-                        "height=%d tolerance=%g",
-                        b->fine ? "fine" : "paper", method[m], samples, rr,
-                        b->fine ? "normal_bits=float env_size=2048 env_format=rgba16f"
-                                : "normal_bits=8 env_size=256 env_format=rgba8",
-                        m ? b->seeds : 1, b->rounds, g->width, g->height, g->tolerance))
-            return RL_ERR_SYSTEM;
-    return RL_OK;
+    const struct grid *g = p->grid;
+    char maps[96];
+    snprintf(maps, sizeof maps, "normal_bits=%s env_size=%d env_format=%s", p->block->fine ? "float" : "8",
+             p->block->fine ? g->fine_env : 256, p->block->fine ? "rgba16f" : "rgba8");
+    return rl_run_add(p->run, p->place, p->group, p->error,
+                      "series=%s setting=%s method=%s samples=%d rr=%g %s seeds=%d rounds=%d width=%d "
+                      "height=%d tolerance=%g",
+                      series, setting, method, samples, p->rr, maps, seeds, p->block->rounds, g->width,
+                      g->height, g->tolerance) != NULL;
+}
+
+/* N normals by both methods. */
+static bool add_methods(const struct point *p, int samples)
+{
+    const char *setting = p->block->fine ? "fine" : "paper";
+    bool ok = samples > p->block->most_regular || add(p, "methods", setting, "regular", samples, 1);
+    return ok && add(p, "methods", setting, "random", samples, p->block->seeds);
 }
 
 static int plan_floor(struct rl_run *run, const struct rl_place *place, const struct grid *g, int group,
@@ -90,24 +108,27 @@ static int plan_floor(struct rl_run *run, const struct rl_place *place, const st
                run, place, group, error,
                "series=floor setting=floor method=random samples=%d rr=%g normal_bits=float env_size=%d "
                "env_format=rgba16f seeds=%d rounds=0 width=%d height=%d tolerance=%g",
-               g->floor_samples, floor_rr, env_size, g->floor_seeds, g->width, g->height, g->tolerance)
+               g->floor_samples, floor_rr, env_size, g->seeds, g->width, g->height, g->tolerance)
                ? RL_OK
                : RL_ERR_SYSTEM;
 }
 
 /* R_r outermost: the cases of one reference together. */
-static int plan_block(struct rl_run *run, const struct rl_place *place, const struct grid *g,
-                      const struct block *b, int *group, struct rl_error *error)
+static bool add_block(struct point *p)
 {
-    int status = RL_OK;
+    const struct block *b = p->block;
+    bool ok = true;
     for (int r = 0; b->rr[r] > 0.0; r++) {
-        for (int n = 0; b->samples[n] > 0 && status == RL_OK; n++) {
-            status = plan_methods(run, place, g, b, *group, b->samples[n], b->rr[r], error);
-            *group += b->rounds == 0;
+        p->rr = b->rr[r];
+        for (int n = 0; b->samples[n] > 0 && ok; n++) {
+            ok = add_methods(p, b->samples[n]);
+            p->group += b->rounds == 0;
         }
-        *group += b->rounds > 0;
+        if (ok && b->rounds > 0)
+            ok = add(p, "time", "none", "none", 0, 1) && add(p, "time", "again", "random", 4, 1);
+        p->group += b->rounds > 0;
     }
-    return status;
+    return ok;
 }
 
 static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
@@ -115,11 +136,13 @@ static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid g
 {
     const struct grid *g = &grids[grid];
     const size_t n_blocks = sizeof g->block / sizeof g->block[0];
-    int status = RL_OK;
-    for (const struct block *b = g->block; b < g->block + n_blocks && b->seeds > 0 && status == RL_OK; b++)
-        status = plan_block(run, place, g, b, &group, error);
+    struct point p = {.run = run, .place = place, .grid = g, .group = group, .error = error};
+    bool ok = true;
+    for (p.block = g->block; p.block < g->block + n_blocks && p.block->samples[0] > 0 && ok; p.block++)
+        ok = add_block(&p);
+    int status = ok ? RL_OK : RL_ERR_SYSTEM;
     for (int e = 0; g->floor_env[e] > 0 && status == RL_OK; e++)
-        status = plan_floor(run, place, g, group++, g->floor_env[e], error);
+        status = plan_floor(run, place, g, p.group++, g->floor_env[e], error);
     return status;
 }
 
@@ -148,6 +171,11 @@ static const struct rl_column columns[] = {
     RL_COLUMNS_WITH_INTERVAL("bias2"),
     RL_COLUMNS_WITH_INTERVAL("variance"),
     RL_COLUMNS_WITH_INTERVAL("frame_ms"),
+    RL_COLUMNS_WITH_INTERVAL("above_baseline_ms"),
+    RL_COLUMNS_WITH_INTERVAL("time_to_random4"),
+    {"frames", RL_COLUMN_VALUE, "frames"},
+    {"time_precision", RL_COLUMN_VALUE, "time_precision"},
+    {"time_capped", RL_COLUMN_VALUE, "time_capped"},
     {"pixels_px", RL_COLUMN_VALUE, "pixels"},
     {"mismatched_px", RL_COLUMN_VALUE, "mismatched"},
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
@@ -181,7 +209,7 @@ static const struct rl_figure figures[] = {
              "frames."},
 };
 
-static const char *const scenes[] = {"teapot-star", NULL};
+static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_samples = {
     .name = "samples",

@@ -8,6 +8,7 @@
 #include "measure/statistics.h"
 #include "studies/judging.h"
 #include "studies/samples.h"
+#include "studies/timing_arms.h"
 
 static const struct rl_metric *find(const struct rl_judging *v, const char *method, double samples, double rr,
                                     const char *metric)
@@ -245,6 +246,83 @@ static int claim_against_regular(const struct rl_judging *v, const double *rr, s
     return RL_OK;
 }
 
+/* a/b, the logarithms of independent figures: their relative errors add up as squares do. */
+static struct rl_interval log_ratio(const struct rl_metric *a, const struct rl_metric *b)
+{
+    double room = hypot(log(a->high / a->low), log(b->high / b->low)) / 2.0,
+           middle = log(a->value / b->value);
+    return (struct rl_interval){middle, middle - room, middle + room};
+}
+
+/* log (MSE x frame time) of 4 normals over that of `other`; the clock's noise is one more error. NaN: not measured. */
+static struct rl_interval four_against(const struct rl_judging *v, double other, double rr, double noise)
+{
+    const struct rl_metric *a = find(v, "random", 4, rr, "rmse"), *b = find(v, "random", other, rr, "rmse");
+    const struct rl_metric *time = find(v, "random", other, rr, "time_to_random4");
+    if (!a || !b || !time || isnan(noise))
+        return (struct rl_interval){NAN, NAN, NAN};
+    struct rl_interval rmse = log_ratio(a, b);
+    double middle = 2.0 * rmse.value - log(time->value);
+    double room = hypot(rmse.high - rmse.low, log(time->high / time->low) / 2.0 + noise);
+    return (struct rl_interval){middle, middle - room, middle + room};
+}
+
+static double time_noise(const struct rl_judging *v)
+{
+    return rl_arms_noise(rl_judging_metric(v, "series=time setting=again", "time_to_random4"));
+}
+
+/* The better of 3 and 5 speaks against 4. */
+static int claim_four_best(const struct rl_judging *v, const double *rr, size_t n)
+{
+    struct rl_claim *c =
+        rl_judging_claim(v, "paper: 4 normals, which its 4x4 matrices ask for, are no worse a "
+                            "choice than 3 or 5 (MSE x frame time over the lesser of theirs)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    static const double other[] = {3, 5};
+    double central = rl_central_rr(rr, n), noise = time_noise(v);
+    const struct rl_metric *four = find(v, "random", 4, central, "rmse");
+    if (four)
+        snprintf(c->note, sizeof c->note, "RMSE and time over 4's: 4 %.3g", four->value);
+    for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
+        struct rl_interval x = four_against(v, other[i], central, noise);
+        if (isnan(x.value))
+            continue;
+        size_t used = strlen(c->note);
+        snprintf(c->note + used, sizeof c->note - used, "; %g: %.3g, %.3g", other[i],
+                 find(v, "random", other[i], central, "rmse")->value,
+                 find(v, "random", other[i], central, "time_to_random4")->value);
+        if (exp(x.value) <= c->value)
+            continue;
+        rl_claim_value(c, exp(x.value), exp(x.low), exp(x.high), "times");
+        c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
+    }
+    return RL_OK;
+}
+
+/* What a normal more or less costs: the one of 3 and 5 that is farther from 4. */
+static int claim_four_time(const struct rl_judging *v, const double *rr, size_t n)
+{
+    struct rl_claim *c = rl_judging_claim(v, "ours: a normal more or less hardly costs time: frames of 3 and "
+                                             "of 5 take what those of 4 do (to within "
+                                             "a tenth, noise included)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    static const double other[] = {3, 5};
+    double noise = time_noise(v);
+    for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
+        const struct rl_metric *time = find(v, "random", other[i], rl_central_rr(rr, n), "time_to_random4");
+        if (!time || fabs(time->value - 1.0) < fabs(c->value - 1.0))
+            continue;
+        rl_claim_value(c, time->value, time->low, time->high, "times");
+        snprintf(c->note, sizeof c->note, "%g normals, paired by round; noise floor of the A/A arms %.2g",
+                 other[i], noise);
+        c->verdict = rl_verdict_equals(c->low - noise, c->high + noise, 1.0, 0.1);
+    }
+    return RL_OK;
+}
+
 int rl_samples_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
 {
     int status = RL_OK;
@@ -254,7 +332,8 @@ int rl_samples_judge(struct rl_claims *claims, const struct rl_run *run, struct 
         double rr[RL_AXIS_MAX];
         size_t n = rr_axis(&v, rr);
         int (*const claim[])(const struct rl_judging *, const double *, size_t) = {
-            claim_four, claim_enough, claim_slope, claim_bias_share, claim_against_regular,
+            claim_four,      claim_enough,    claim_slope, claim_bias_share, claim_against_regular,
+            claim_four_best, claim_four_time,
         };
         for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
             status = claim[k](&v, rr, n);

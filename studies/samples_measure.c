@@ -1,8 +1,9 @@
 /* Measures the cases of the study `samples`: pictures of every seed against the reference, then frame times. */
-#include "measure/statistics.h"
-#include "measure/timing.h"
+#include <stdbool.h>
+
 #include "studies/samples.h"
 #include "studies/seeds.h"
+#include "studies/timing_arms.h"
 
 enum { ARMS_MAX = RL_TIMING_ARMS_MAX };
 
@@ -25,39 +26,28 @@ static int measure_error(struct rl_record *r, struct rl_bench_scene **set, struc
     return status;
 }
 
-static int frame(void *user, double *seconds, struct rl_error *error)
+static bool is_timed_only(const struct rl_record *r)
 {
-    const struct rl_bench_scene *set = user;
-    return rl_gpu_scene_frame(set->gpu_scene, seconds, error);
+    return rl_parameters_match(r->parameters, "series=time");
 }
 
-/* The arms of a group against each other. The first frame of each has been drawn already. */
+/* The arms of a group against each other. */
 static int measure_time(struct rl_record *records, struct rl_bench_scene **set, size_t n,
                         struct rl_bench *bench, struct rl_error *error)
 {
     int rounds = (int)rl_parameter_number(records[0].parameters, "rounds");
     if (rounds < 1)
         return RL_OK;
-    struct rl_timing_options options = RL_TIMING_DEFAULT;
-    options.warm_up = 1;
-    options.min_rounds = rounds;
-    options.max_rounds = 4 * rounds;
-    options.max_seconds = 0.4 * rounds;
+    const struct rl_arms_options options = {.frames = rounds,
+                                            .most_frames = 2 * rounds,
+                                            .most_seconds = 0.1 * rounds,
+                                            .baseline = "series=time method=none",
+                                            .against = "series=methods method=random samples=4",
+                                            .ratio = "time_to_random4"};
     struct rl_timing_arm arm[ARMS_MAX];
     for (size_t i = 0; i < n; i++)
-        arm[i] = (struct rl_timing_arm){records[i].parameters, frame, set[i]};
-    struct rl_timing timing;
-    int status = rl_timing_run(&timing, arm, n, &options, &bench->quiet, error);
-    if (status != RL_OK)
-        return status;
-    for (size_t i = 0; i < n && status == RL_OK; i++) {
-        struct rl_interval ms = rl_median_interval(timing.ms[i], timing.n_rounds, 0.95);
-        status = rl_record_metric_add(&records[i], "frame_ms", ms.value, ms.low, ms.high, "ms", error);
-        if (status == RL_OK)
-            status = rl_record_series_add(&records[i], "frame_ms", timing.ms[i], timing.n_rounds, error);
-    }
-    rl_timing_clear(&timing);
-    return status;
+        arm[i] = (struct rl_timing_arm){records[i].parameters, rl_arms_frame, set[i]};
+    return rl_arms_time(records, arm, n, bench, &options, error);
 }
 
 int rl_samples_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
@@ -69,7 +59,9 @@ int rl_samples_measure(struct rl_record *records, size_t n, struct rl_bench *ben
     struct rl_bench_scene *set[ARMS_MAX] = {NULL};
     int status = RL_OK;
     for (size_t i = 0; i < n && status == RL_OK; i++)
-        status = measure_error(&records[i], &set[i], bench, scene, error);
+        status = is_timed_only(&records[i])
+                     ? rl_bench_scene_make(&set[i], bench, scene, records[i].parameters, 1, error)
+                     : measure_error(&records[i], &set[i], bench, scene, error);
     if (status == RL_OK)
         status = measure_time(records, set, n, bench, error);
     for (size_t i = 0; i < n; i++)
