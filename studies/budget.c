@@ -82,7 +82,7 @@ static const struct rl_figure figures[] = {
                  "the normals' bits do."},
 };
 
-static const char *const scenes[] = {"teapot-star", "sphere-quad", NULL};
+static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_budget = {
     .name = "budget",

@@ -132,7 +132,7 @@ static const struct rl_figure figures[] = {
      "across a corner: error against the largest map."},
 };
 
-static const char *const scenes[] = {"teapot-star", "sphere-quad", NULL};
+static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_environment = {
     .name = "environment",

@@ -74,10 +74,12 @@ static int measure_maps(struct rl_record *records, size_t n, struct rl_bench *be
     if (status == RL_OK && with_floor)
         status =
             rl_bench_reference(&centre, bench, scene, records[0].parameters, RL_LIGHT_FROM_OBJECT, error);
-    for (size_t i = 0; i < n && status == RL_OK; i++) {
+    if (status == RL_OK && with_floor)
+        status = add_floor(&records[0], &base, centre, error);
+    for (size_t i = 1; i < n && status == RL_OK; i++) {
         struct rl_seeds s = {0};
         status = draw(&s, bench, scene, &records[i], error);
-        if (status == RL_OK && i > 0)
+        if (status == RL_OK)
             status = add_difference(&records[i], &s, &base, error);
         if (status == RL_OK && with_floor)
             status = add_floor(&records[i], &s, centre, error);
