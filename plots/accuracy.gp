@@ -70,7 +70,8 @@ if (figure eq "kernel") {
 
 if (figure eq "seconds") {
     data = folder . "/accuracy_images.tsv"
-    here(t) = strcol("scene") eq scene && strcol("method") eq "reference" && column("threads") == t ? column("tolerance") : NaN
+    # Threads are compared on smaller images.
+    here(t) = strcol("scene") eq scene && strcol("method") eq "reference" && column("threads") == t && column("width_px") == W_max ? column("tolerance") : NaN
     stats data using (strcol("scene") eq scene ? column("seconds_high") : NaN) name "S" nooutput
     if (!exists("S_max")) { exit status 3 }
     stats data using (strcol("scene") eq scene ? column("width_px") : NaN) name "W" nooutput
