@@ -181,6 +181,7 @@ void rl_database_close(struct rl_database *db)
 {
     if (!db)
         return;
+    rl_sql_forget(db);
     sqlite3_close(db->handle);
     /* Last: closing any descriptor of a file drops the process's POSIX locks on it, SQLite's among them. */
     if (db->lock >= 0)

@@ -64,22 +64,14 @@ int rl_database_state(struct rl_database *db, const char *identity, enum rl_reco
     return status < 0 ? status : RL_OK;
 }
 
-/* One statement for all of them: there may be thousands. */
 static int store_samples(struct rl_database *db, int64_t id, const struct rl_series *s,
                          struct rl_error *error)
 {
-    sqlite3_stmt *statement = NULL;
-    int status = rl_sql_prepare(db, &statement, error,
-                                "INSERT INTO samples(case_id, series, position, value) VALUES(?, ?, ?, ?)",
-                                "it", id, s->name);
-    for (size_t i = 0; i < s->n && status == RL_OK; i++) {
-        int code = sqlite3_bind_int64(statement, 3, (int64_t)i);
-        if (code == SQLITE_OK)
-            code = sqlite3_bind_double(statement, 4, s->value[i]);
-        status = code == SQLITE_OK ? rl_sql_row(db, statement, error) : rl_sql_fail(db, code, error);
-        sqlite3_reset(statement);
-    }
-    sqlite3_finalize(statement);
+    int status = RL_OK;
+    for (size_t i = 0; i < s->n && status == RL_OK; i++)
+        status =
+            rl_sql_run(db, error, "INSERT INTO samples(case_id, series, position, value) VALUES(?, ?, ?, ?)",
+                       "itid", id, s->name, (int64_t)i, s->value[i]);
     return status;
 }
 

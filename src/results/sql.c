@@ -46,34 +46,35 @@ int rl_sql_script(struct rl_database *db, const char *sql, struct rl_error *erro
     return code == SQLITE_OK ? RL_OK : rl_sql_fail(db, code, error);
 }
 
-static int prepare(struct rl_database *db, sqlite3_stmt **statement, struct rl_error *error, const char *sql,
-                   const char *types, va_list arguments)
+static int bind(sqlite3_stmt *statement, const char *types, va_list arguments)
 {
-    int code = sqlite3_prepare_v2(db->handle, sql, -1, statement, NULL);
+    int code = SQLITE_OK;
     for (int i = 1; code == SQLITE_OK && *types; i++, types++) {
         if (*types == 't') {
-            code = sqlite3_bind_text(*statement, i, va_arg(arguments, const char *), -1, SQLITE_TRANSIENT);
+            code = sqlite3_bind_text(statement, i, va_arg(arguments, const char *), -1, SQLITE_TRANSIENT);
         } else if (*types == 'i') {
-            code = sqlite3_bind_int64(*statement, i, va_arg(arguments, int64_t));
+            code = sqlite3_bind_int64(statement, i, va_arg(arguments, int64_t));
         } else {
-            code = sqlite3_bind_double(*statement, i, va_arg(arguments, double));
+            code = sqlite3_bind_double(statement, i, va_arg(arguments, double));
         }
     }
-    if (code == SQLITE_OK)
-        return RL_OK;
-    int status = rl_sql_fail(db, code, error);
-    sqlite3_finalize(*statement);
-    *statement = NULL;
-    return status;
+    return code;
 }
 
 int rl_sql_prepare(struct rl_database *db, sqlite3_stmt **statement, struct rl_error *error, const char *sql,
                    const char *types, ...)
 {
     va_list arguments;
+    int code = sqlite3_prepare_v2(db->handle, sql, -1, statement, NULL);
     va_start(arguments, types);
-    int status = prepare(db, statement, error, sql, types, arguments);
+    if (code == SQLITE_OK)
+        code = bind(*statement, types, arguments);
     va_end(arguments);
+    if (code == SQLITE_OK)
+        return RL_OK;
+    int status = rl_sql_fail(db, code, error);
+    sqlite3_finalize(*statement);
+    *statement = NULL;
     return status;
 }
 
@@ -85,19 +86,42 @@ int rl_sql_row(const struct rl_database *db, sqlite3_stmt *statement, struct rl_
     return code == SQLITE_DONE ? 0 : rl_sql_fail(db, code, error);
 }
 
+/* Of this text, or a free place; NULL: all are taken by others. */
+static struct rl_sql_kept *find_kept(struct rl_database *db, const char *sql)
+{
+    size_t i = 0;
+    while (i < RL_SQL_KEPT_MAX && db->kept[i].sql && db->kept[i].sql != sql)
+        i++;
+    return i < RL_SQL_KEPT_MAX ? &db->kept[i] : NULL;
+}
+
+void rl_sql_forget(struct rl_database *db)
+{
+    for (size_t i = 0; i < RL_SQL_KEPT_MAX; i++) {
+        sqlite3_finalize(db->kept[i].statement);
+        db->kept[i] = (struct rl_sql_kept){0};
+    }
+}
+
 int rl_sql_run(struct rl_database *db, struct rl_error *error, const char *sql, const char *types, ...)
 {
+    struct rl_sql_kept *kept = find_kept(db, sql);
+    sqlite3_stmt *statement = kept ? kept->statement : NULL;
     va_list arguments;
+    int code = statement ? SQLITE_OK : sqlite3_prepare_v2(db->handle, sql, -1, &statement, NULL);
+    if (kept && code == SQLITE_OK)
+        *kept = (struct rl_sql_kept){sql, statement};
     va_start(arguments, types);
-    sqlite3_stmt *statement = NULL;
-    int status = prepare(db, &statement, error, sql, types, arguments);
+    if (code == SQLITE_OK)
+        code = bind(statement, types, arguments);
     va_end(arguments);
-    if (status != RL_OK)
-        return status;
-    do {
+    int status = code == SQLITE_OK ? rl_sql_row(db, statement, error) : rl_sql_fail(db, code, error);
+    while (status > 0)
         status = rl_sql_row(db, statement, error);
-    } while (status > 0);
-    sqlite3_finalize(statement);
+    if (kept)
+        sqlite3_reset(statement);
+    else
+        sqlite3_finalize(statement);
     return status;
 }
 

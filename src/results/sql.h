@@ -8,12 +8,21 @@
 
 #include "base/error.h"
 
+/* A statement that was run and is kept for the next time. */
+struct rl_sql_kept {
+    const char *sql;
+    sqlite3_stmt *statement;
+};
+
+enum { RL_SQL_KEPT_MAX = 16 };
+
 struct rl_database {
     sqlite3 *handle;
     char *path;
     int lock;    /* file descriptor that holds the one writer's lock, or -1 */
     int64_t run; /* rows of the latest run begun */
     int64_t provenance;
+    struct rl_sql_kept kept[RL_SQL_KEPT_MAX];
 };
 
 /* What SQLite said about the last call, in words that name the file. */
@@ -26,8 +35,10 @@ int rl_sql_script(struct rl_database *db, const char *sql, struct rl_error *erro
  * becomes NULL). */
 int rl_sql_prepare(struct rl_database *db, sqlite3_stmt **statement, struct rl_error *error, const char *sql,
                    const char *types, ...);
-/* The same, and runs it to its end. */
+/* The same, and runs it to its end. Prepared once for every `sql`, which must be a literal; rl_sql_forget before the file is closed. */
 int rl_sql_run(struct rl_database *db, struct rl_error *error, const char *sql, const char *types, ...);
+
+void rl_sql_forget(struct rl_database *db);
 
 /* The next row: 1, no more: 0, or a negative status. */
 int rl_sql_row(const struct rl_database *db, sqlite3_stmt *statement, struct rl_error *error);
