@@ -35,8 +35,8 @@ struct grid {
 
 /* At R_r = 300 few pixels are bright, and their noise needs more seeds to be known as well. */
 static const struct grid grids[] = {
-    [RL_GRID_QUICK] = {.width = 120,
-                       .height = 90,
+    [RL_GRID_QUICK] = {.width = 160,
+                       .height = 120,
                        .seeds = 4,
                        .tolerance = 1e-4,
                        .block = {{false, {3}, {1, 4, 13, 32, 64}, 64, 4, 0},
@@ -44,12 +44,12 @@ static const struct grid grids[] = {
                        .fine_env = 512,
                        .floor_env = {16, 64, 256, 512},
                        .floor_samples = 64},
-    [RL_GRID_DEFAULT] = {.width = 120,
-                         .height = 90,
+    [RL_GRID_DEFAULT] = {.width = 96,
+                         .height = 72,
                          .seeds = 16,
                          .tolerance = 1e-4,
                          .block = {{false, {3}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 64, 16, 0},
-                                   {false, {300}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 64, 32, 0},
+                                   {false, {300}, {1, 2, 4, 8, 13, 16, 32, 64, 128, 256}, 64, 64, 0},
                                    {false, {30}, EVERY_N, 64, 16, 30},
                                    {true, {30}, {1, 4, 16, 64, 256}, 64, 16, 0}},
                          .fine_env = 1024,
