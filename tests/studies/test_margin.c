@@ -127,6 +127,9 @@ static void test_flips(void **state)
     assert_int_equal(judge(w, cost).verdict, RL_VERDICT_HOLDS);
     w.cost = 0.3;
     assert_int_equal(judge(w, cost).verdict, RL_VERDICT_FAILS);
+    w.cost = 0.08; /* below a tenth, but by less than noise */
+    w.noise = 0.05;
+    assert_int_equal(judge(w, cost).verdict, RL_VERDICT_INCONCLUSIVE);
 }
 
 /* Nothing measured: no verdict is made up. */
@@ -160,8 +163,13 @@ static void test_plan(void **state)
                 assert_string_not_equal(run.record[i].identity, run.record[k].identity);
         }
         static const char *const needed[] = {
-            "series=margin arm=off rr=30",  "series=margin arm=again rr=300", "series=margin arm=auto rr=30",
-            "series=margin arm=huge rr=30", "series=margin arm=0.5 rr=30",    "series=bound rr=30",
+            "series=margin arm=off rr=30",
+            "series=margin arm=again rr=300",
+            "series=margin arm=auto rr=30",
+            "series=margin arm=huge rr=30",
+            "series=margin arm=0.5 rr=30",
+            "series=bound rr=30",
+            "series=margin arm=none rr=300 method=none",
         };
         for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
             assert_non_null(rl_run_find(&run, NULL, needed[i]));

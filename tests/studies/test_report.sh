@@ -75,7 +75,7 @@ wait $pid
 check "Ctrl-C gives exit code 130" [ $? -eq 130 ]
 check "and says what was finished" grep -q "cases: .* measured" "$tmp/stderr"
 kept=$(measured "$tmp/long/r.db")
-check "what was finished before is kept: $kept of 85" [ "$kept" -ge 4 -a "$kept" -lt 85 ]
+check "what was finished before is kept: $kept of 228" [ "$kept" -ge 4 -a "$kept" -lt 228 ]
 rm -rf "$tmp/long"
 
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
@@ -83,12 +83,14 @@ check "the next run finishes" [ $? -eq 0 ]
 groups=$(sed -n 's/^\([0-9]*\) groups of cases to measure.*/\1/p' "$tmp/stderr")
 check "it says how much there is to do (${groups:-nothing}) and, a study done, how long the rest may take" \
     grep -q "^samples: .* in .* s; of all: [0-9]* of ${groups:-?}, about [0-9]* s left" "$tmp/stderr"
+check "and says where its time went" [ "$(tail -n 1 "$tmp/stderr" | sed 's/[0-9.][0-9.]*/N/g')" = \
+    "N s: N % measured, N % reference, N % set-up, N % evaluation, N % harness" ]
 "$rl" study status --db "$db" >"$tmp/status.tsv"
 check "every planned case is measured" [ "$(column planned "$tmp/status.tsv")" = "$(column measured "$tmp/status.tsv")" ]
 check "none failed" [ -z "$(column failed "$tmp/status.tsv" | grep -vx 0)" ]
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
-check "one more run has nothing to do" grep -q "^95 cases: 0 measured, 95 done before, 0 failed" "$tmp/stderr"
-check "references are computed once each" [ "$(ls "$tmp/cache" | wc -l)" -eq 4 ]
+check "one more run has nothing to do" grep -q "^161 cases: 0 measured, 161 done before, 0 failed" "$tmp/stderr"
+check "references are computed once each" [ "$(ls "$tmp/cache" | wc -l)" -eq 12 ]
 check "nothing half-written is left" [ -z "$(find "$tmp" -name '.*' -type f)" ]
 
 # A scene that cannot be measured: it is named, the others are, and the exit code says so.
@@ -121,7 +123,7 @@ check "claims.tsv has its columns" [ "$(head -n 1 "$tmp/tables/claims.tsv")" = \
     "claim${tab}verdict${tab}value${tab}low${tab}high${tab}unit${tab}study${tab}command${tab}scene${tab}figure${tab}note${tab}cases" ]
 check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.tsv" |
     grep -vx 'holds\|holds up to\|fails\|inconclusive')" ]
-check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 25 ]
+check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 91 ]
 check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 72 ]
 check "and each cost model of the first scene" [ "$(wc -l <"$tmp/tables/fps_models.tsv")" -eq 16 ]
 check "a row each case of accuracy" [ "$(cat "$tmp"/tables/accuracy_*.tsv | wc -l)" -eq \
@@ -197,7 +199,7 @@ check "which is there" [ -z "$(for f in $shown; do [ -s "$tmp/report/$f" ] || ec
 check "and the overview shows one beside every claim" [ "$(grep -o 'class="whose' "$page" | wc -l)" -eq \
     "$(grep -o 'class="small"' "$page" | wc -l)" ]
 check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
-for study in samples:4 fps:12 accuracy:5; do
+for study in samples:12 fps:12 accuracy:5; do
     n=${study#*:} study=${study%:*}
     check "every figure of $study is drawn, as SVG, as PNG and in small" [ "$(ls "$tmp"/report/$study-*.svg | wc -l)" -eq $n \
         -a "$(ls "$tmp"/report/$study-*.png | wc -l)" -eq $((2 * n)) -a "$(ls "$tmp"/report/$study-*.small.png | wc -l)" -eq $n ]

@@ -6,9 +6,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
+#include "base/clock.h"
 #include "base/files.h"
 #include "results/database.h"
 #include "studies/runner.h"
@@ -24,6 +27,7 @@ static struct {
     int failing;          /* this group fails, or -1 */
     int cancel_after;     /* groups, or -1 */
     int finished;
+    int pause_on; /* a kind of work that each group spends 40 ms on, or -1 */
 } script;
 
 static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
@@ -40,8 +44,11 @@ static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid g
 static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                    struct rl_error *error)
 {
-    (void)bench;
     assert_int_equal(n, 2);
+    if (script.pause_on >= 0) {
+        rl_spent_on(&bench->spent, (enum rl_spent_kind)script.pause_on);
+        nanosleep(&(struct timespec){.tv_nsec = 40 * 1000 * 1000}, NULL);
+    }
     assert_true(strcmp(records[0].scene, RL_NO_SCENE) == 0 ? scene == NULL : scene->n_objects > 0);
     int group = (int)rl_parameter_number(records[0].parameters, "number");
     script.measured[group]++;
@@ -110,7 +117,7 @@ static void reset(const char *name)
 {
     memset(&script, 0, sizeof script);
     extra = (struct rl_run_options){0};
-    script.failing = script.cancel_after = -1;
+    script.failing = script.cancel_after = script.pause_on = -1;
     temporary_path(&folder, database, name);
     temporary_path(&folder, cache, "cache");
 }
@@ -144,6 +151,56 @@ static void test_skips_what_is_done(void **state)
     assert_int_equal(rl_run_count(&loaded, RL_RECORD_OK), 10);
     assert_true(rl_record_metric(&loaded.record[9], "answer")->value == 46.0);
     rl_run_clear(&loaded);
+}
+
+/* A pause shows in the kind of work it was planted in and in no other, in the group's first case and in the run's sum; and the sum of
+ * all kinds is the time from begin to end. */
+static void test_accounts_for_its_time(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < RL_SPENT_HARNESS; kind++) {
+        struct rl_run_outcome o;
+        struct rl_error error;
+        struct rl_run loaded;
+        reset("spent.db");
+        unlink(database);
+        script.pause_on = kind;
+        double begin = rl_clock_seconds(), all = 0.0;
+        assert_int_equal(run(RL_GRID_QUICK, &o, &error), RL_OK);
+        double took = rl_clock_seconds() - begin;
+        for (int k = 0; k < RL_SPENT_KINDS; k++)
+            all += o.seconds[k];
+        /* Closing the GPU comes after the last look at the clock. */
+        assert_true(all <= took && all >= took - fmax(0.01 * took, 0.05));
+        assert_true(o.seconds[kind] >= 0.08);
+        for (int k = 0; k < RL_SPENT_HARNESS; k++)
+            assert_true(k == kind || k == RL_SPENT_SETUP || o.seconds[k] < 0.04);
+        load(&loaded);
+        for (size_t i = 0; i < loaded.n_records; i++)
+            for (int k = 0; k < RL_SPENT_HARNESS; k++) {
+                char name[RL_NAME_MAX];
+                snprintf(name, sizeof name, "spent_%s", rl_spent_name((enum rl_spent_kind)k));
+                const struct rl_metric *m = rl_record_metric(&loaded.record[i], name);
+                assert_true((m != NULL) == (i % 2 == 0)); /* two cases a group */
+                assert_true(!m || (m->value >= 0.04) == (k == kind));
+                assert_true(!m || rl_metric_timed(m));
+            }
+        rl_run_clear(&loaded);
+    }
+}
+
+static void test_shares_as_text(void **state)
+{
+    (void)state;
+    static const double seconds[RL_SPENT_KINDS] = {[RL_SPENT_MEASURED] = 7.0,
+                                                   [RL_SPENT_REFERENCE] = 2.0,
+                                                   [RL_SPENT_SETUP] = 0.5,
+                                                   [RL_SPENT_EVALUATION] = 0.3,
+                                                   [RL_SPENT_HARNESS] = 0.2};
+    char text[256];
+    rl_spent_text(text, sizeof text, seconds);
+    assert_string_equal(text, "10.0 s: 70.0 % measured, 20.0 % reference, 5.0 % set-up, 3.0 % evaluation, "
+                              "2.0 % harness");
 }
 
 static void test_retries_on_request(void **state)
@@ -361,6 +418,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_skips_what_is_done),
+        cmocka_unit_test(test_accounts_for_its_time),
+        cmocka_unit_test(test_shares_as_text),
         cmocka_unit_test(test_retries_on_request),
         cmocka_unit_test(test_measures_again),
         cmocka_unit_test(test_shards),

@@ -19,6 +19,8 @@ struct world {
     double noise_1, slope, floor, regular_13;
     double position, texels_256; /* what the map's position does, and what 256 texels do */
     double spread;               /* half width of every interval, relative */
+    double time_3, time_5;       /* frame time of 3 and 5 normals over that of 4 */
+    double noise;                /* of the clock */
 };
 
 static const struct world usual = {
@@ -29,6 +31,9 @@ static const struct world usual = {
     .position = 0.01,
     .texels_256 = 0.002,
     .spread = 0.02,
+    .time_3 = 0.98,
+    .time_5 = 1.02,
+    .noise = 0.005,
 };
 
 static void metric(struct rl_record *r, const char *name, double value, double spread)
@@ -51,13 +56,17 @@ static void fill(struct rl_record *r, double noise, double floor, double spread)
 /* Noise, floor and error are those of R_r = 30 divided by `factor`. */
 static void add_rr(struct rl_run *run, const struct world *w, double rr, double factor)
 {
-    for (int n = 1; n <= 1024; n = n == 8 ? 13 : n == 13 ? 16 : 2 * n) {
+    static const int N[] = {1, 2, 3, 4, 5, 8, 13, 16, 32, 64, 128, 256, 512, 1024};
+    for (size_t i = 0; i < sizeof N / sizeof N[0]; i++) {
+        int n = N[i];
         struct rl_record *r = rl_run_add(
             run, &place, n, NULL, "series=methods setting=paper method=regular samples=%d rr=%g", n, rr);
         fill(r, 0.0, w->regular_13 * 13.0 / n / factor, 0.0);
         r = rl_run_add(run, &place, n, NULL, "series=methods setting=paper method=random samples=%d rr=%g", n,
                        rr);
         fill(r, w->noise_1 * pow(n, w->slope) / factor, w->floor / factor, w->spread);
+        if (n == 3 || n == 5)
+            metric(r, "time_to_random4", n == 3 ? w->time_3 : w->time_5, w->noise);
     }
 }
 
@@ -67,6 +76,9 @@ static void make(struct rl_run *run, const struct world *w)
     add_rr(run, w, 3.0, 0.5);
     add_rr(run, w, 30.0, 1.0);
     add_rr(run, w, 300.0, 20.0);
+    metric(rl_run_add(run, &place, 4, NULL, "series=time setting=again method=random samples=4 rr=30"),
+           "time_to_random4", 1.0, w->noise);
+    run->record[run->n_records - 1].status = RL_RECORD_OK;
     for (int size = 64; size <= 2048; size *= 2) {
         double texels = w->texels_256 * 256.0 / size;
         struct rl_record *r =
@@ -162,6 +174,33 @@ static void test_flips(void **state)
     assert_int_equal(verdict_in(w, texels), RL_VERDICT_FAILS);
 }
 
+static void test_four_against_its_neighbours(void **state)
+{
+    (void)state;
+    static const char best[] = "no worse a choice than 3 or 5", time[] = "hardly costs time";
+    struct world w = usual; /* 5 have four fifths of the MSE in 1.02 of the time */
+    assert_int_equal(verdict_in(w, best), RL_VERDICT_FAILS);
+    assert_int_equal(verdict_in(w, time), RL_VERDICT_HOLDS);
+    w.time_5 = 1.6;
+    w.time_3 = 0.9;
+    assert_int_equal(verdict_in(w, best), RL_VERDICT_HOLDS);
+    assert_int_equal(verdict_in(w, time), RL_VERDICT_FAILS);
+    w.time_3 = 0.4; /* now 3 are the better choice */
+    assert_int_equal(verdict_in(w, best), RL_VERDICT_FAILS);
+    w = usual;
+    w.noise = 0.2; /* a clock that cannot tell */
+    assert_int_equal(verdict_in(w, best), RL_VERDICT_INCONCLUSIVE);
+    assert_int_equal(verdict_in(w, time), RL_VERDICT_INCONCLUSIVE);
+
+    struct rl_run run;
+    make(&run, &usual);
+    struct rl_claim c = judge(&run, best);
+    double four = 0.04 / 4.0 + 1e-4, five = 0.04 / 5.0 + 1e-4;
+    assert_true(fabs(c.value - four / (five * 1.02)) < 1e-9);
+    assert_true(c.low < c.value && c.value < c.high);
+    rl_run_clear(&run);
+}
+
 static void test_values(void **state)
 {
     (void)state;
@@ -189,7 +228,7 @@ static void test_missing(void **state)
     (void)state;
     struct rl_run run;
     make(&run, &usual);
-    check_undecided("samples", &run, 7);
+    check_undecided("samples", &run, 11);
     rl_run_clear(&run);
 }
 
@@ -205,13 +244,20 @@ static void test_plan(void **state)
             run.record[i].status = RL_RECORD_OK;
             for (size_t k = 0; k < i; k++)
                 assert_string_not_equal(run.record[i].identity, run.record[k].identity);
-            bool regular = rl_parameters_match(run.record[i].parameters, "method=regular");
-            assert_true(regular == (rl_parameter_number(run.record[i].parameters, "seeds") == 1.0));
+            const char *parameters = run.record[i].parameters;
+            bool once = rl_parameters_match(parameters, "method=regular") ||
+                        rl_parameters_match(parameters, "series=time");
+            assert_true(once == (rl_parameter_number(parameters, "seeds") == 1.0));
+            assert_true(once || grid == RL_GRID_QUICK || rl_parameter_number(parameters, "seeds") >= 16.0);
         }
         static const char *const needed[] = {
             "series=methods setting=paper method=random samples=4 rr=30",
             "series=methods setting=paper method=random samples=4 rr=3",
+            "series=methods setting=paper method=random samples=3 rr=30",
+            "series=methods setting=paper method=random samples=5 rr=30",
             "series=methods setting=paper method=regular samples=13 rr=30",
+            "series=time setting=none method=none rr=30",
+            "series=time setting=again method=random samples=4 rr=30",
             "series=floor env_size=256",
             "series=floor env_size=512",
         };
@@ -224,9 +270,8 @@ static void test_plan(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_flips),  cmocka_unit_test(test_four_against_its_neighbours),
+        cmocka_unit_test(test_values), cmocka_unit_test(test_missing),
         cmocka_unit_test(test_plan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
