@@ -1,5 +1,6 @@
 /* Loads the latest runs, judges them, writes their tables (see report.h). */
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -77,6 +78,31 @@ static int write_tables(const struct rl_table *tables, size_t n, const struct rl
     return status;
 }
 
+/* Where the time of every group went, by its first case (runner.h). */
+static void export_spent(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
+                         enum rl_export_format format)
+{
+    static const char *const column[] = {"study",       "scene",   "parameters",  "measured_s",
+                                         "reference_s", "setup_s", "evaluation_s"};
+    struct rl_export t;
+    rl_export_begin(&t, out, format, column, sizeof column / sizeof column[0]);
+    for (size_t k = 0; k < n_runs; k++)
+        for (const struct rl_record *r = NULL; (r = rl_run_next(&runs[k], r, NULL, ""));) {
+            if (!rl_record_metric(r, "spent_measured"))
+                continue;
+            rl_export_text(&t, r->study);
+            rl_export_text(&t, r->scene);
+            rl_export_text(&t, r->parameters);
+            for (int kind = 0; kind < RL_SPENT_HARNESS; kind++) {
+                char name[RL_NAME_MAX];
+                snprintf(name, sizeof name, "spent_%s", rl_spent_name((enum rl_spent_kind)kind));
+                const struct rl_metric *m = rl_record_metric(r, name);
+                rl_export_number(&t, m ? m->value : NAN);
+            }
+        }
+    rl_export_end(&t);
+}
+
 int rl_report_export(const struct rl_report_data *data, const char *folder, enum rl_export_format format,
                      struct rl_error *error)
 {
@@ -92,6 +118,10 @@ int rl_report_export(const struct rl_report_data *data, const char *folder, enum
     if (status == RL_OK) {
         rl_export_samples(&text, data->run, rl_n_studies, format);
         status = write_table(&text, folder, "frame_times", format, error);
+    }
+    if (status == RL_OK) {
+        export_spent(&text, data->run, rl_n_studies, format);
+        status = write_table(&text, folder, "spent", format, error);
     }
     if (status == RL_OK) {
         rl_claims_export(&text, &data->claims, format);

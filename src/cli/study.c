@@ -130,6 +130,9 @@ static void print_tables(void)
 {
     static const struct rl_column samples[] = {{.name = "study"},  {.name = "scene"}, {.name = "parameters"},
                                                {.name = "series"}, {.name = "index"}, {.name = "value"}};
+    static const struct rl_column spent[] = {
+        {.name = "study"},       {.name = "scene"},   {.name = "parameters"},  {.name = "measured_s"},
+        {.name = "reference_s"}, {.name = "setup_s"}, {.name = "evaluation_s"}};
     static const struct rl_column claims[] = {{.name = "claim"},  {.name = "verdict"}, {.name = "value"},
                                               {.name = "low"},    {.name = "high"},    {.name = "unit"},
                                               {.name = "study"},  {.name = "command"}, {.name = "scene"},
@@ -146,6 +149,8 @@ static void print_tables(void)
     }
     print_columns("frame_times", "every raw figure of every case, in the order taken", samples,
                   sizeof samples / sizeof samples[0], true);
+    print_columns("spent", "where the time of every group of cases went, by its first case", spent,
+                  sizeof spent / sizeof spent[0], false);
     print_columns("claims", "every claim with its verdict and the command that reproduces it", claims,
                   sizeof claims / sizeof claims[0], false);
 }

@@ -61,7 +61,7 @@ for pause in 0.3 0.9 1.6; do
     wait $pid 2>/dev/null
 done
 measured() { # cases of samples that a database has
-    "$rl" study status --db "$1" 2>/dev/null | awk -F "$tab" '$1 == "samples" { n = $5 } END { print n + 0 }'
+    "$rl" study status --db "$1" 2>/dev/null | awk -F "$tab" '$1 == "samples" { n += $5 } END { print n + 0 }'
 }
 # The default grid takes a minute and more: it cannot end before it is interrupted.
 "$rl" study run samples --db "$tmp/long/r.db" 2>"$tmp/stderr" &
