@@ -72,6 +72,17 @@ struct rl_interval rl_goodness_kolmogorov(const struct rl_goodness *goodness, do
     return (struct rl_interval){largest, fmax(largest - band, 0.0), largest + band};
 }
 
+double rl_kolmogorov_p(double distance, size_t n)
+{
+    double root = sqrt((double)n), lambda = (root + 0.12 + 0.11 / root) * distance, sum = 0.0;
+    /* Below, the series converges slowly, and the answer is 1 to nine digits. */
+    if (lambda < 0.28)
+        return 1.0;
+    for (int k = 1; k <= 20; k++)
+        sum += (k % 2 ? 2.0 : -2.0) * exp(-2.0 * k * k * lambda * lambda);
+    return fmin(fmax(sum, 0.0), 1.0);
+}
+
 double rl_sidak_level(double level, double n)
 {
     return -expm1(log1p(-level) / n);

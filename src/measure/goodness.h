@@ -48,6 +48,10 @@ void rl_goodness_ratios(double ratio[], const struct rl_goodness *goodness, size
  * is for the distance of the distribution that the samples came from (Dvoretzky, Kiefer and Wolfowitz, with Massart's constant). */
 struct rl_interval rl_goodness_kolmogorov(const struct rl_goodness *goodness, double level);
 
+/* The probability that n samples of the right distribution, not binned, are this far from it or farther by chance: Kolmogorov's limit
+ * with the correction for n by Stephens (1970), good to a percent or so from n = 5 on. */
+double rl_kolmogorov_p(double distance, size_t n);
+
 /* The level of each of n independent tests for which all of them together give a false alarm with probability `level`: 1 - (1 - level)^(1/n)
  * (Sidak 1967); and the p of the smallest of n. */
 double rl_sidak_level(double level, double n);

@@ -52,6 +52,19 @@ static void ends_are_counted(void **state)
     rl_goodness_clear(&g);
 }
 
+/* lambda = (sqrt(n) + 0.12 + 0.11/sqrt(n)) D; the limit's series by mpmath. */
+static void kolmogorov_p(void **state)
+{
+    (void)state;
+    const double scale = 10.0 + 0.12 + 0.011;
+    check_near(rl_kolmogorov_p(1.3581 / scale, 100), 0.049999630431667426, 1e-12);
+    check_near(rl_kolmogorov_p(1.6276 / scale, 100), 0.010001537333060768, 1e-12);
+    check_near(rl_kolmogorov_p(0.5 / scale, 100), 0.9639452436648751, 1e-12);
+    check_near(rl_kolmogorov_p(0.2 / scale, 100), 1.0, 0.0);
+    check_near(rl_kolmogorov_p(0.0, 100), 1.0, 0.0);
+    assert_true(rl_kolmogorov_p(1.0, 100) < 1e-80);
+}
+
 static void sidak(void **state)
 {
     (void)state;
@@ -97,10 +110,8 @@ static void p_is_fair(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(counts_by_hand),
-        cmocka_unit_test(ends_are_counted),
-        cmocka_unit_test(sidak),
-        cmocka_unit_test(p_is_fair),
+        cmocka_unit_test(counts_by_hand), cmocka_unit_test(ends_are_counted), cmocka_unit_test(kolmogorov_p),
+        cmocka_unit_test(sidak),          cmocka_unit_test(p_is_fair),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
