@@ -15,7 +15,8 @@
 static const struct rl_option study_options[] = {
     {0, "db", "FILE", "results database (build/results.db)"},
     {0, "scene", "FILE",
-     "run: scene file or name of a shipped scene; may be given several times (each study's own)"},
+     "run: scene file or name of a shipped scene; check: only cases of this one; may be given several times "
+     "(each study's own; check: all)"},
     {0, "quick", NULL, "run: a small grid, seconds: to see that all works"},
     {0, "full", NULL, "run: the full grid, as long as it takes"},
     {0, "axis", "NAME=VALUES",
@@ -28,9 +29,15 @@ static const struct rl_option study_options[] = {
     {0, "shard", "I/N", "run: measure the I-th of N shares only, the same on every machine"},
     {0, "study", "NAME", "merge: name the cases of this study that no file has; may be given several times"},
     {0, "allow-mixed", NULL, "merge: take together what different versions, renderers or scenes gave"},
+    {0, "baseline", "FILE", "check: what metrics are held against (tests/baseline.tsv)"},
+    {0, "write", "FILE", "check: measure a new baseline into this file"},
+    {0, "seeds", "N", "check: pictures and maps of each random metric, even, 4 to 1024 (16; --write: 256)"},
+    {0, "seed", "S", "check: the first of them (1000001; --write: 1)"},
+    {0, "runs", "N", "check: N checks, each with other seeds: do they raise false alarms?"},
     {0, "backend", "NAME",
-     "run, report: auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
-    {0, "threads", "N", "run, report: of the reference and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
+     "run, report, check: auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
+    {0, "threads", "N",
+     "run, report, check: of the reference and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
     {0, "format", "tsv|json|csv",
      "how rows are printed, and the tables of export written; csv: export only (tsv)"},
     {'o', "output", "DIR", "export, report: where to write (build/tables, build/report)"},
@@ -191,6 +198,7 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
         {"export", false, export_tables},
         {"merge", true, rl_study_merge_command},
         {"report", false, make_report},
+        {"check", false, rl_study_check_command},
     };
     for (size_t i = 0; i < sizeof verbs / sizeof verbs[0]; i++) {
         if (strcmp(a->positional[0], verbs[i].name) != 0)
@@ -201,13 +209,13 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
         return verbs[i].run(a, error);
     }
     return rl_exit_of(rl_fail(error, RL_ERR_INPUT,
-                              "study: found '%s', expected list, run, status, export, merge or report",
+                              "study: found '%s', expected list, run, status, export, merge, report or check",
                               a->positional[0]));
 }
 
 const struct rl_command rl_command_study = {
     .name = "study",
-    .arguments = "list | run NAME... | status | export | merge INTO FROM... | report  [options]",
+    .arguments = "list | run NAME... | status | export | merge INTO FROM... | report | check  [options]",
     .min_positionals = 1,
     .max_positionals = RL_CLI_POSITIONALS_MAX,
     .summary = "run studies into a database; export their tables; make the report",
@@ -221,6 +229,9 @@ const struct rl_command rl_command_study = {
         "  merge    put the results of other databases into INTO; nothing measured there is replaced, "
         "nothing is copied twice\n"
         "  report   the page with verdicts, pictures, plots and tables\n"
+        "  check    has any error metric changed? A small fixed set of cases against a baseline; exit code 1 "
+        "if "
+        "one is worse\n"
         "\n"
         "A run may be interrupted (Ctrl-C) or killed and goes on where it was when started again. Exit code "
         "3: some cases\n"
@@ -239,7 +250,16 @@ const struct rl_command rl_command_study = {
         "that differ; with --study it names what no file has (exit code 3).\n"
         "\n"
         "  roughlight study run samples --full --shard 1/2 --db 1.db          (and 2/2 --db 2.db)\n"
-        "  roughlight study merge all.db 1.db 2.db --study samples",
+        "  roughlight study merge all.db 1.db 2.db --study samples\n"
+        "\n"
+        "check needs no database. Each metric is same, better, worse, inconclusive (more --seeds would tell) "
+        "or "
+        "incomparable;\n"
+        "seeds below 1024 are the baseline's. --runs counts false alarms, which have a probability of 1e-4 a "
+        "run.\n"
+        "\n"
+        "  roughlight study check --baseline tests/baseline.tsv >check.tsv\n"
+        "  roughlight study check --write tests/baseline.tsv               (after a change that was meant)",
     .options = options,
     .more_help = print_tables,
     .run = run,

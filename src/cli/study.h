@@ -22,6 +22,7 @@ size_t rl_study_name_failures(const struct rl_study *const *studies, size_t n, c
 int rl_study_run_command(const struct rl_arguments *arguments, struct rl_error *error);
 
 int rl_study_merge_command(const struct rl_arguments *arguments, struct rl_error *error);
+int rl_study_check_command(const struct rl_arguments *arguments, struct rl_error *error);
 int rl_study_status_command(const struct rl_arguments *arguments, struct rl_error *error);
 
 #endif
