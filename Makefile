@@ -4,6 +4,7 @@
 #   BUILD=dir          where everything made goes, in this tree       (build; build/sanitize-... with SANITIZE)
 #   SANITIZE=list      compile with -fsanitize=list                   make SANITIZE=address,undefined test
 #   WERROR=1           warnings are errors
+#   F=names            only these of `make faults`: d-value g-reference
 #   T=names            only these tests: module or module/name        make test T="scene/mesh model"
 #   QUICK=1            a smaller, quicker `make report` or `make bench`
 #   FULL=1             `make report` or `make bench` on the full grids: hours; may be interrupted, and goes on where it was
@@ -224,6 +225,15 @@ bench: all
 	@$(BUILD)/roughlight study export --db $(BUILD)/results.db -o $(BUILD)/tables
 	@for table in points images kernel; do cat $(BUILD)/tables/accuracy_$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy"' $(BUILD)/tables/claims.tsv
+
+.PHONY: check-errors faults
+## Has an error metric changed since tests/baseline.tsv? Rows on stdout, exit 1 if one is worse
+check-errors: all
+	@$(BUILD)/roughlight study check
+
+## Plant faults (tests/faults) one by one: does check-errors see each? Some 20 s each; rows on stdout
+faults: all
+	@BUILD=$(BUILD) tests/faults/run.sh $(F)
 
 # ---- Care of the sources ------------------------------------------------------------------------------------------
 
