@@ -100,7 +100,7 @@ static int measure_seed(double value[MOMENTS], const struct rl_plan_normal_map *
 
 int rl_check_map(struct rl_check_rows *rows, const struct rl_check_case *c, struct rl_check_context *context)
 {
-    static double value[MOMENTS][RL_CHECK_SEEDS_MAX];
+    double value[MOMENTS][RL_CHECK_SEEDS_MAX];
     struct rl_settings settings;
     int status = rl_bench_settings(&settings, c->parameters, rows->error);
     const struct rl_plan_normal_map map = {.rr = settings.rr, .method = rl_method_find("random")};
