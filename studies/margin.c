@@ -27,7 +27,7 @@ static const struct grid {
                          .height = 72,
                          .timed_width = 320,
                          .timed_height = 240,
-                         .seeds = 5,
+                         .seeds = 12,
                          .rounds = 30,
                          .tolerance = 1e-4,
                          .rr = {3, 30, 100, 300},
