@@ -47,7 +47,7 @@ static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, 
     assert_int_equal(n, 2);
     if (script.pause_on >= 0) {
         rl_spent_on(&bench->spent, (enum rl_spent_kind)script.pause_on);
-        nanosleep(&(struct timespec){.tv_nsec = 40 * 1000 * 1000}, NULL);
+        nanosleep(&(struct timespec){.tv_nsec = 40000000}, NULL);
     }
     assert_true(strcmp(records[0].scene, RL_NO_SCENE) == 0 ? scene == NULL : scene->n_objects > 0);
     int group = (int)rl_parameter_number(records[0].parameters, "number");
