@@ -53,7 +53,7 @@ static int row_command(struct rl_verdict_row *row, const struct rl_run *run, str
     if (!scene)
         return rl_fail_memory(error, "a claim's scenes");
     for (size_t k = 0; k < row->n; k++)
-        scene[k] = row->cell[k]->scene;
+        scene[k] = row->cell[k].claim->scene;
     rl_run_command(row->command, sizeof row->command, run, scene,
                    row->n == count_scenes(run) && rl_run_has_own_scenes(run) ? 0 : row->n);
     free(scene);
@@ -65,7 +65,7 @@ int rl_report_rows(struct rl_verdict_rows *rows, const struct rl_report_page *pa
     int status = rl_verdict_rows_make(rows, &page->data->claims, rl_studies[study]->name, page->error);
     for (size_t i = 0; i < rows->n && status == RL_OK; i++) {
         struct rl_verdict_row *row = &rows->row[i];
-        const struct rl_claim *first = row->cell[0];
+        const struct rl_claim *first = row->cell[0].claim;
         size_t f = rl_report_find_figure(page, rl_studies[study], first->figure, first->scene);
         if (f < page->n_figures) {
             snprintf(row->picture, sizeof row->picture, "%s", page->figure[f].name);

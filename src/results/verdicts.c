@@ -71,14 +71,13 @@ static struct rl_verdict_row *find_row(struct rl_verdict_rows *rows, const char 
     return NULL;
 }
 
-/* A row's two arrays are as long as the list of claims: it can have no more cells. */
+/* A row's cells are as many as the study's claims: it can have no more. */
 static int add_row(struct rl_verdict_rows *rows, const char *text, bool paper, size_t most)
 {
     struct rl_verdict_row *row = &rows->row[rows->n];
     row->cell = calloc(most, sizeof *row->cell);
-    row->number = calloc(most, sizeof *row->number);
     rows->n++;
-    if (!row->cell || !row->number)
+    if (!row->cell)
         return RL_ERR_SYSTEM;
     row->paper = paper;
     snprintf(row->text, sizeof row->text, "%s", text);
@@ -102,8 +101,7 @@ static int add_rows(struct rl_verdict_rows *rows, const struct rl_claims *claims
         if (!find_row(rows, text, paper) && add_row(rows, text, paper, most) != RL_OK)
             return RL_ERR_SYSTEM;
         struct rl_verdict_row *row = find_row(rows, text, paper);
-        row->cell[row->n] = c;
-        row->number[row->n++] = number;
+        row->cell[row->n++] = (struct rl_verdict_cell){c, number};
     }
     return RL_OK;
 }
@@ -113,7 +111,9 @@ int rl_verdict_rows_make(struct rl_verdict_rows *rows, const struct rl_claims *c
 {
     *rows = (struct rl_verdict_rows){.row = calloc(claims->n + 1, sizeof *rows->row)};
     snprintf(rows->page, sizeof rows->page, "%.80s.html", study);
-    int status = rows->row ? add_rows(rows, claims, study, true) : RL_ERR_SYSTEM;
+    if (!rows->row)
+        return rl_fail_memory(error, "rows of claims");
+    int status = add_rows(rows, claims, study, true);
     if (status == RL_OK)
         status = add_rows(rows, claims, study, false);
     if (status == RL_OK)
@@ -124,10 +124,8 @@ int rl_verdict_rows_make(struct rl_verdict_rows *rows, const struct rl_claims *c
 
 void rl_verdict_rows_clear(struct rl_verdict_rows *rows)
 {
-    for (size_t i = 0; i < rows->n; i++) {
+    for (size_t i = 0; i < rows->n; i++)
         free(rows->row[i].cell);
-        free(rows->row[i].number);
-    }
     free(rows->row);
     *rows = (struct rl_verdict_rows){0};
 }
@@ -190,7 +188,7 @@ static void add_commands(struct rl_buffer *page, const struct rl_verdict_row *ro
     if (row->command[0])
         add_command(page, row->command);
     for (size_t k = 0; k < row->n && !row->command[0]; k++)
-        add_command(page, row->cell[k]->command);
+        add_command(page, row->cell[k].claim->command);
 }
 
 /* The figure in small, a link to it in large. */
@@ -207,10 +205,10 @@ static void add_picture(struct rl_buffer *page, const struct rl_verdict_row *row
 
 static void add_cell(struct rl_buffer *page, const struct rl_verdict_row *row, size_t k, const char *href)
 {
-    const struct rl_claim *c = row->cell[k];
+    const struct rl_claim *c = row->cell[k].claim;
     rl_buffer_add(page, "<div class=\"cell\"");
     if (!href)
-        rl_buffer_printf(page, " id=\"claim-%zu\"", row->number[k]);
+        rl_buffer_printf(page, " id=\"claim-%zu\"", row->cell[k].number);
     rl_buffer_add(page, ">");
     if (c->scene[0] && strcmp(c->scene, "none") != 0) {
         rl_buffer_add(page, "<span class=\"scene\">");
@@ -218,7 +216,7 @@ static void add_cell(struct rl_buffer *page, const struct rl_verdict_row *row, s
         rl_buffer_add(page, "</span>");
     }
     rl_verdict_badge(page, c->verdict);
-    add_value(page, c, href, row->number[k]);
+    add_value(page, c, href, row->cell[k].number);
     if (!href && c->note[0]) {
         rl_buffer_add(page, "<span class=\"note\">");
         rl_html_text(page, c->note);

@@ -20,13 +20,17 @@
 #include "results/buffer.h"
 #include "results/claims.h"
 
+struct rl_verdict_cell {
+    const struct rl_claim *claim;
+    size_t number; /* among the study's claims, from 1 on */
+};
+
 /* One claim, about as many scenes as it has cells. */
 struct rl_verdict_row {
     char text[256]; /* without "paper: " or "ours: " in front and the scene in brackets behind */
     bool paper;
     size_t n;
-    const struct rl_claim **cell; /* in the order of the claims */
-    size_t *number;               /* among the study's claims, from 1 on */
+    struct rl_verdict_cell *cell; /* in the order of the claims */
     char picture[256];            /* the figure's files are PICTURE.small.png and so on; "": there is none */
     char anchor[256];             /* of the figure on the study's page */
     char command[1024];           /* measures all of its cells; "": their own commands, one after another */

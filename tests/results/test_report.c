@@ -182,11 +182,11 @@ static void test_rows(void **state)
     assert_string_equal(rows.row[1].text, "it is fast");
     assert_string_equal(rows.row[2].text, "nothing (one)"); /* not its own scene */
     assert_int_equal(rows.row[0].n, 1);
-    assert_int_equal(rows.row[0].number[0], 2);
+    assert_int_equal(rows.row[0].cell[0].number, 2);
     assert_int_equal(rows.row[1].n, 2);
-    assert_int_equal(rows.row[1].number[0], 1);
-    assert_int_equal(rows.row[1].number[1], 3);
-    assert_string_equal(rows.row[1].cell[1]->scene, "two");
+    assert_int_equal(rows.row[1].cell[0].number, 1);
+    assert_int_equal(rows.row[1].cell[1].number, 3);
+    assert_string_equal(rows.row[1].cell[1].claim->scene, "two");
     snprintf(rows.row[1].picture, sizeof rows.row[1].picture, "samples-error-one");
     snprintf(rows.row[1].anchor, sizeof rows.row[1].anchor, "figure-error-one");
     rl_claim_value(&claims.claim[3], 2.0, 2.0, 2.0, "1");
