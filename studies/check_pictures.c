@@ -189,7 +189,7 @@ int rl_check_random_picture(struct rl_check_rows *rows, const struct rl_check_ca
     rl_check_random(rows, "bias", RL_BEST_ZERO, value[BIAS], n, 0.05 * rmse);
     rl_check_random(rows, "noise", RL_BEST_LOWER, value[NOISE], n, 0.1 * rmse);
     rl_check_random(rows, "floor2", RL_BEST_LOWER, value[FLOOR2], n, 0.2 * rmse * rmse);
-    rl_check_random(rows, "noise_alike", RL_BEST_ZERO, value[ALIKE], n, 0.1);
+    rl_check_random(rows, "noise_alike", RL_BEST_ZERO, value[ALIKE], n, 0.25);
     return RL_OK;
 }
 
