@@ -134,6 +134,7 @@ static int claim_precise(const struct view *v)
         begin_claim(v, "ours: the clock is precise: every median of Table 1 has a 95 % interval within 2 %");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "frames";
     double worst = NAN;
     for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, "series=table1"));) {
         const struct rl_metric *m = rl_record_metric(r, "time_precision");

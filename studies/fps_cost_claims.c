@@ -72,7 +72,7 @@ static void note_fit(struct rl_claim *c, const struct costs *k, const char *mode
 }
 
 /* Whether a model describes its series. A residual within what equal arms differ by is no fault of the model. */
-static int claim_fit(const struct costs *k, const char *model, const char *text)
+static int claim_fit(const struct costs *k, const char *model, const char *text, const char *figure)
 {
     static const double bound = 0.05;
     char words[200];
@@ -80,6 +80,7 @@ static int claim_fit(const struct costs *k, const char *model, const char *text)
     struct rl_claim *c = rl_judging_claim(&k->measured, words);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = figure;
     const struct rl_metric *worst = model_metric(k, model, "worst_residual");
     if (!worst)
         return RL_OK;
@@ -95,22 +96,23 @@ static int claim_fit(const struct costs *k, const char *model, const char *text)
 static int claim_fits(const struct costs *k)
 {
     static const struct {
-        const char *model, *text;
+        const char *model, *figure, *text;
     } fit[] = {
-        {"none", "ours: the frame without highlight takes a + b x pixels"},
-        {"plain", "ours: what plain adds to it is a + b x pixels"},
-        {"random", "ours: what random adds to it is a + b x pixels x samples"},
-        {"random-pixels", "ours: what random adds to it is a + b x pixels + c x pixels x samples"},
-        {"regular", "ours: what regular adds to it is a + b x pixels x samples"},
-        {"regular-pixels", "ours: what regular adds to it is a + b x pixels + c x pixels x samples"},
-        {"environment-pass", "ours: drawing an environment map takes a + b x texels"},
-        {"objects-pass", "ours: drawing the environment maps takes a + b x objects"},
-        {"maps", "ours: baking normal maps takes a + b x roughnesses"},
-        {"exhaustive", "ours: exhaustive takes a + b x pixels + c x texel-normals"},
+        {"none", "scaling", "ours: the frame without highlight takes a + b x pixels"},
+        {"plain", "scaling", "ours: what plain adds to it is a + b x pixels"},
+        {"random", "scaling", "ours: what random adds to it is a + b x pixels x samples"},
+        {"random-pixels", "scaling", "ours: what random adds to it is a + b x pixels + c x pixels x samples"},
+        {"regular", "scaling", "ours: what regular adds to it is a + b x pixels x samples"},
+        {"regular-pixels", "scaling",
+         "ours: what regular adds to it is a + b x pixels + c x pixels x samples"},
+        {"environment-pass", "environment", "ours: drawing an environment map takes a + b x texels"},
+        {"objects-pass", "objects", "ours: drawing the environment maps takes a + b x objects"},
+        {"maps", "maps", "ours: baking normal maps takes a + b x roughnesses"},
+        {"exhaustive", "exhaustive", "ours: exhaustive takes a + b x pixels + c x texel-normals"},
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof fit / sizeof fit[0] && status == RL_OK; i++)
-        status = claim_fit(k, fit[i].model, fit[i].text);
+        status = claim_fit(k, fit[i].model, fit[i].text, fit[i].figure);
     return status;
 }
 
@@ -121,6 +123,7 @@ static int claim_ratio(const struct costs *k, const char *text, const char *a, c
     struct rl_claim *c = rl_judging_claim(&k->measured, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = strncmp(a, "objects", 7) == 0 ? "objects" : "scaling";
     const struct rl_metric *x = model_metric(k, a, metric), *y = model_metric(k, b, metric);
     if (!x || !y)
         return RL_OK;
@@ -139,6 +142,7 @@ static int claim_one_more(const struct costs *k, const char *text, const char *m
     struct rl_claim *c = rl_judging_claim(&k->measured, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "roughness";
     const struct rl_metric *constant = model_metric(k, model, "constant_ms");
     const struct rl_metric *each = model_metric(k, model, "per_roughness_us");
     if (!constant || !each)
@@ -156,6 +160,7 @@ static int claim_reach(const struct costs *k, const char *arm, const char *text)
     struct rl_claim *c = rl_judging_claim(&k->measured, text);
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "scaling";
     char pattern[96];
     snprintf(pattern, sizeof pattern, "series=size arm=%s", arm);
     double width[RL_AXIS_MAX], reach = 0.0, beyond = NAN;
@@ -199,6 +204,7 @@ static int claim_map_size(const struct costs *k)
         "random 4 by no more than 10 %");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "environment";
     double size[RL_AXIS_MAX];
     size_t n = rl_judging_axis(&k->measured, "series=environment arm=random-4", "env_size", size);
     char pattern[2][96];
@@ -226,6 +232,7 @@ static int claim_maps_of_objects(const struct costs *k)
         rl_judging_claim(&k->measured, "paper: every object has an environment map of its own");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "objects";
     double least = INFINITY, most = -INFINITY;
     for (const struct rl_record *r = NULL;
          (r = rl_run_next(k->measured.run, r, k->measured.scene, "series=objects arm=random-4"));) {
@@ -248,6 +255,7 @@ static int claim_baking(const struct costs *k)
         "ours: the normal map of one more roughness is made within a frame of 24 frames/s, once");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "maps";
     const struct rl_metric *each = model_metric(k, "maps", "per_roughness_us");
     if (!each)
         return RL_OK;
@@ -279,6 +287,7 @@ static int claim_exhaustive(const struct costs *k)
                       "1/24 s a frame even at the small size measured");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "exhaustive";
     const struct rl_record *r = largest_exhaustive(k);
     const struct rl_metric *ms = r ? rl_record_metric(r, "frame_ms") : NULL;
     if (!ms)
@@ -299,6 +308,7 @@ static int claim_extrapolated(const struct costs *k)
                       "than 1/24 s a frame");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "exhaustive";
     const struct rl_record *r = largest_exhaustive(k);
     const struct rl_metric *a = model_metric(k, "exhaustive", "constant_ms");
     const struct rl_metric *b = model_metric(k, "exhaustive", "per_drawn_pixel_ns");

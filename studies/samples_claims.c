@@ -280,6 +280,7 @@ static int claim_four_best(const struct rl_judging *v, const double *rr, size_t 
                             "choice than 3 or 5 (MSE x frame time over the lesser of theirs)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "time";
     static const double other[] = {3, 5};
     double central = rl_central_rr(rr, n), noise = time_noise(v);
     const struct rl_metric *four = find(v, "random", 4, central, "rmse");
@@ -309,6 +310,7 @@ static int claim_four_time(const struct rl_judging *v, const double *rr, size_t 
                                              "a tenth, noise included)");
     if (!c)
         return RL_ERR_SYSTEM;
+    c->figure = "time";
     static const double other[] = {3, 5};
     double noise = time_noise(v);
     for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {

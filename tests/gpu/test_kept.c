@@ -30,7 +30,10 @@ static struct rl_settings settings_of(int samples, int bits, uint64_t seed)
 /* The same settings once more, after others, and on a context that has kept nothing. */
 static void pictures_are_those_of_a_new_context(void **state)
 {
-    struct rl_gpu *gpu = *state;
+    (void)state;
+    struct rl_error opening;
+    struct rl_gpu *gpu;
+    check_ok(rl_gpu_open(&gpu, "auto", &opening), &opening);
     static const struct {
         const char *method;
         int samples, bits;
@@ -69,7 +72,6 @@ static void pictures_are_those_of_a_new_context(void **state)
         fixture_end(&scene);
         rl_gpu_close(gpu);
     }
-    assert_int_equal(open_gpu(state), 0);
 }
 
 /* A second scene of the same plan uploads no normal map, and leaves the first as it was when it goes. */
@@ -165,10 +167,10 @@ static void memory_is_bounded(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_scenes_share),
-        cmocka_unit_test(warm_up_changes_nothing),
-        cmocka_unit_test(memory_is_bounded),
+        cmocka_unit_test_setup_teardown(two_scenes_share, open_gpu, close_gpu),
+        cmocka_unit_test_setup_teardown(warm_up_changes_nothing, open_gpu, close_gpu),
+        cmocka_unit_test_setup_teardown(memory_is_bounded, open_gpu, close_gpu),
         cmocka_unit_test(pictures_are_those_of_a_new_context),
     };
-    return cmocka_run_group_tests(tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ small="samples --quick --scene sphere-quad --axis rr=30 --axis rounds=0,1 --axis
 # results DATABASE FILE: every measured case with all that is not a time
 results() {
     "$rl" study export --db "$1" -o "$tmp/tables" 2>/dev/null &&
-        awk -F "$tab" 'NR == 1 { for (i = 1; i <= NF; i++) time[i] = $i ~ /_ms/ }
+        awk -F "$tab" 'NR == 1 { for (i = 1; i <= NF; i++) time[i] = $i ~ /_ms|^time_|^frames$/ }
             { for (i = 1; i <= NF; i++) if (!time[i]) printf "%s\t", $i; print "" }' "$tmp/tables/samples.tsv" >"$2"
 }
 
