@@ -2,18 +2,19 @@
 #include "gpu/context.h"
 #include "gpu/fixture.h"
 
+static struct rl_gpu *gpu;
+
 static int open_gpu(void **state)
 {
+    (void)state;
     struct rl_error error;
-    struct rl_gpu *gpu;
-    int status = rl_gpu_open(&gpu, "auto", &error);
-    *state = gpu;
-    return status;
+    return rl_gpu_open(&gpu, "auto", &error);
 }
 
 static int close_gpu(void **state)
 {
-    rl_gpu_close(*state);
+    (void)state;
+    rl_gpu_close(gpu);
     return 0;
 }
 
@@ -31,9 +32,6 @@ static struct rl_settings settings_of(int samples, int bits, uint64_t seed)
 static void pictures_are_those_of_a_new_context(void **state)
 {
     (void)state;
-    struct rl_error opening;
-    struct rl_gpu *gpu;
-    check_ok(rl_gpu_open(&gpu, "auto", &opening), &opening);
     static const struct {
         const char *method;
         int samples, bits;
@@ -72,11 +70,13 @@ static void pictures_are_those_of_a_new_context(void **state)
         fixture_end(&scene);
         rl_gpu_close(gpu);
     }
+    assert_int_equal(open_gpu(NULL), 0);
 }
 
 /* A second scene of the same plan uploads no normal map, and leaves the first as it was when it goes. */
 static void two_scenes_share(void **state)
 {
+    (void)state;
     struct rl_error error;
     struct rl_scene scene;
     struct rl_plan plan;
@@ -86,10 +86,10 @@ static void two_scenes_share(void **state)
     double seconds;
     fixture_sphere(&scene, 48, 36, "random", 30.0);
     check_ok(rl_plan_make(&plan, &scene, &s, &error), &error);
-    check_ok(rl_gpu_scene_make(&a, *state, &scene, &plan, &error), &error);
+    check_ok(rl_gpu_scene_make(&a, gpu, &scene, &plan, &error), &error);
     check_ok(rl_gpu_scene_frame(a, &seconds, &error), &error);
     check_ok(rl_gpu_scene_read(a, &before, &error), &error);
-    check_ok(rl_gpu_scene_make(&b, *state, &scene, &plan, &error), &error);
+    check_ok(rl_gpu_scene_make(&b, gpu, &scene, &plan, &error), &error);
     assert_int_equal(rl_gpu_scene_counters(a).bytes_uploaded - rl_gpu_scene_counters(b).bytes_uploaded,
                      64 * 64 * 4);
     check_ok(rl_gpu_scene_reseed(b, 8, &error), &error);
@@ -108,6 +108,7 @@ static void two_scenes_share(void **state)
 /* Warming up changes no frame and no counter. */
 static void warm_up_changes_nothing(void **state)
 {
+    (void)state;
     struct rl_error error;
     struct rl_scene scene;
     struct rl_plan plan;
@@ -119,7 +120,7 @@ static void warm_up_changes_nothing(void **state)
     s.margin = 0.5;
     fixture_sphere(&scene, 48, 36, "random", 30.0);
     check_ok(rl_plan_make(&plan, &scene, &s, &error), &error);
-    check_ok(rl_gpu_scene_make(&gs, *state, &scene, &plan, &error), &error);
+    check_ok(rl_gpu_scene_make(&gs, gpu, &scene, &plan, &error), &error);
     check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
     check_ok(rl_gpu_scene_read(gs, &before, &error), &error);
     size_t draws = rl_gpu_scene_counters(gs).draws;
@@ -138,7 +139,7 @@ static void warm_up_changes_nothing(void **state)
 /* Objects without users go, the one used least lately first; those in use stay, whatever they take. */
 static void memory_is_bounded(void **state)
 {
-    struct rl_gpu *gpu = *state;
+    (void)state;
     struct rl_kept kept = {0};
     const size_t large = (size_t)80 << 20;
     GLuint id[3];
@@ -167,10 +168,10 @@ static void memory_is_bounded(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(two_scenes_share, open_gpu, close_gpu),
-        cmocka_unit_test_setup_teardown(warm_up_changes_nothing, open_gpu, close_gpu),
-        cmocka_unit_test_setup_teardown(memory_is_bounded, open_gpu, close_gpu),
+        cmocka_unit_test(two_scenes_share),
+        cmocka_unit_test(warm_up_changes_nothing),
+        cmocka_unit_test(memory_is_bounded),
         cmocka_unit_test(pictures_are_those_of_a_new_context),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }
