@@ -1,4 +1,4 @@
-# Figures of the study `distribution`, from distribution.tsv, generators.tsv and frame_times.tsv (histograms and pictures).
+# Figures of the study `distribution`, from distribution.tsv, generators.tsv and distribution_raw.tsv (histograms and pictures).
 #
 #   gnuplot -c plots/distribution.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
@@ -8,7 +8,7 @@ output = ARG3
 figure = ARG4
 load ARG1
 data = folder . "/distribution.tsv"
-raw = folder . "/frame_times.tsv"
+raw = folder . "/distribution_raw.tsv"
 
 # The size of which all R_r and formats were measured: the largest at R_r = 1.
 stats data using (column("rr") == 1 ? column("normal_size_px") : NaN) name "SIZE" nooutput

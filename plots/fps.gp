@@ -1,4 +1,4 @@
-# Figures of the study `fps`, from fps.tsv, fps_models.tsv and frame_times.tsv.
+# Figures of the study `fps`, from fps.tsv, fps_models.tsv and fps_raw.tsv.
 #
 #   gnuplot -c plots/fps.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
@@ -36,7 +36,7 @@ if (figure eq "rate") {
 }
 
 if (figure eq "frames") {
-    data = folder . "/frame_times.tsv"
+    data = folder . "/fps_raw.tsv"
     set title "Every frame in the order of rounds: " . scene
     set logscale y
     set xlabel "round"

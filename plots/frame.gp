@@ -1,4 +1,4 @@
-# Figures of the study `frame`, from frame_lobe.tsv, frame_light.tsv, frame_scene.tsv and frame_times.tsv (map and profiles).
+# Figures of the study `frame`, from frame_lobe.tsv, frame_light.tsv, frame_scene.tsv and frame_raw.tsv (map and profiles).
 #
 #   gnuplot -c plots/frame.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
@@ -8,7 +8,7 @@ output = ARG3
 figure = ARG4
 scene = ARG5
 load ARG1
-raw = folder . "/frame_times.tsv"
+raw = folder . "/frame_raw.tsv"
 step = 1.0 / 255.0
 of_frame(series) = strcol("study") eq "frame" && strcol("series") eq series
 

@@ -238,6 +238,8 @@ int rl_report_make(const struct rl_report_options *options, const struct rl_prog
     struct rl_report_page page = {.options = options, .data = &data, .progress = progress, .error = error};
     status = rl_report_export(&data, options->folder, RL_EXPORT_TSV, error);
     if (status == RL_OK)
+        status = rl_report_export_raw(&data, options->folder, error);
+    if (status == RL_OK)
         status = rl_report_draw(&page);
     if (status == RL_OK)
         status = rl_report_write_studies(&page);

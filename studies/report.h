@@ -26,6 +26,9 @@ void rl_report_clear(struct rl_report_data *data);
 int rl_report_export(const struct rl_report_data *data, const char *folder, enum rl_export_format format,
                      struct rl_error *error);
 
+/* Writes each measured study's share of frame_times as NAME_raw.tsv: what its plots read, who need not look through all for it. */
+int rl_report_export_raw(const struct rl_report_data *data, const char *folder, struct rl_error *error);
+
 struct rl_report_options {
     const char *database, *folder, *cache, *backend;
     int threads;

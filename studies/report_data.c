@@ -129,3 +129,18 @@ int rl_report_export(const struct rl_report_data *data, const char *folder, enum
     }
     return status;
 }
+
+int rl_report_export_raw(const struct rl_report_data *data, const char *folder, struct rl_error *error)
+{
+    struct rl_buffer text = {0};
+    int status = RL_OK;
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++) {
+        char name[RL_NAME_MAX + 8];
+        if (data->run[i].n_records == 0)
+            continue;
+        snprintf(name, sizeof name, "%s_raw", rl_studies[i]->name);
+        rl_export_samples(&text, &data->run[i], 1, RL_EXPORT_TSV);
+        status = write_table(&text, folder, name, RL_EXPORT_TSV, error);
+    }
+    return status;
+}

@@ -146,6 +146,9 @@ static void add_tables(struct rl_buffer *text, const struct rl_study *study, con
     add_each_table(text, study->tables, study->n_tables, run);
     add_each_table(text, study->derived_tables, study->n_derived_tables, derived);
     rl_report_other_cases(text, study->tables, study->n_tables, run);
+    rl_buffer_printf(
+        text, "<p>Raw figures of every case, in the order taken: <a href=\"%s_raw.tsv\">%s_raw.tsv</a></p>\n",
+        study->name, study->name);
 }
 
 /* The pages before and after, of studies that were run. */
