@@ -166,7 +166,7 @@ static const struct rl_figure figures[] = {
      "What a sphere saves against what it loses: frame time over that without the pass, and the share "
      "of the highlight "
      "missed. Down and left is better. Above 1 the pass costs more than it saves. Numbers are "
-     "margins."},
+     "margins, at rings R_r."},
     {"bound",
      "The proof at work: the most that any skipped pixel loses of the integral, against the bound that "
      "the closed-form margin was asked to keep. Marks below the grey diagonal keep it. "
