@@ -216,7 +216,9 @@ static int time_arms(struct rl_record *records, struct subject *subject, size_t 
                                         .max_seconds = rl_parameter_number(records[0].parameters, "seconds"),
                                         .seed = 1};
     struct rl_timing timing;
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
     int status = rl_timing_run(&timing, arm, n, &options, &bench->quiet, error);
+    rl_spent_on(&bench->spent, outer);
     if (status != RL_OK)
         return status;
     for (size_t i = 0; i < n && status == RL_OK; i++) {
