@@ -102,14 +102,16 @@ static void update(void *user, const char *what, size_t done, size_t total)
         c->next_started = now;
 }
 
+/* Long work is announced; of short work, nothing stands on stderr before what went wrong. */
+static const double announced = 60.0;
+
 static void overall(void *user, size_t done, size_t total, double seconds_left)
 {
     struct rl_console *c = user;
     char time[32];
     print_time(time, sizeof time, seconds_left);
-    if (done == 0)
-        fprintf(stderr, "%zu groups of cases to measure%s%s\n", total,
-                isnan(seconds_left) ? "" : ", in about ", isnan(seconds_left) ? "" : time);
+    if (done == 0 && seconds_left >= announced)
+        fprintf(stderr, "%zu groups of cases to measure, in about %s\n", total, time);
     c->done = done;
     c->total = total;
     c->left = seconds_left;
