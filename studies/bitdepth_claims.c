@@ -24,17 +24,22 @@ static const struct rl_metric *find(const struct rl_judging *j, const char *what
     return rl_judging_metric(j, pattern, metric);
 }
 
-static enum rl_verdict both(enum rl_verdict a, enum rl_verdict b)
-{
-    if (a == RL_VERDICT_FAILS || b == RL_VERDICT_FAILS)
-        return RL_VERDICT_FAILS;
-    return a == RL_VERDICT_HOLDS && b == RL_VERDICT_HOLDS ? RL_VERDICT_HOLDS : RL_VERDICT_INCONCLUSIVE;
-}
-
 /* A metric that is small beside the noise and beside 1/255. Where the highlight has no noise, the first says nothing. */
 struct smallness {
-    const char *text, *figure, *what, *metric, *of_noise; /* a NULL: not asked for */
+    const char *text, *figure, *what, *metric, *of_noise; /* of_noise NULL: not asked for */
 };
+
+/* Of the two the one that is larger beside what it may be decides: with both asked for the number is in parts of that. */
+static struct rl_step small_step(double rr, const struct rl_metric *m, const struct rl_metric *of_noise)
+{
+    const double step = RL_STEP_OF_8_BITS;
+    if (!of_noise)
+        return (struct rl_step){rr, m->value, m->low, m->high, rl_verdict_at_most(m->low, m->high, step)};
+    double low = fmax(m->low / step, of_noise->low / share_of_noise);
+    double high = fmax(m->high / step, of_noise->high / share_of_noise);
+    return (struct rl_step){rr, fmax(m->value / step, of_noise->value / share_of_noise), low, high,
+                            rl_verdict_at_most(low, high, 1.0)};
+}
 
 static int claim_small(const struct rl_judging *j, const double *rr, size_t n, const struct smallness *s)
 {
@@ -42,22 +47,15 @@ static int claim_small(const struct rl_judging *j, const double *rr, size_t n, c
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = s->figure;
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
-        const struct rl_metric *m = s->metric ? find(j, s->what, rr[i], s->metric) : NULL;
-        const struct rl_metric *ratio = s->of_noise ? find(j, s->what, rr[i], s->of_noise) : NULL;
-        if ((s->metric && !m) || (s->of_noise && !ratio))
-            continue;
-        enum rl_verdict step = m ? rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS) : RL_VERDICT_HOLDS;
-        enum rl_verdict noise =
-            ratio ? rl_verdict_at_most(ratio->low, ratio->high, share_of_noise) : RL_VERDICT_HOLDS;
-        verdict[i] = both(step, noise);
-        const struct rl_metric *shown = ratio ? ratio : m;
-        rl_judging_note(c, rr[i], shown->value);
-        if (rr[i] == rl_central_rr(rr, n))
-            rl_claim_value(c, shown->value, shown->low, shown->high, ratio ? "of the noise" : "RMS");
+        const struct rl_metric *m = find(j, s->what, rr[i], s->metric);
+        const struct rl_metric *of_noise = s->of_noise ? find(j, s->what, rr[i], s->of_noise) : NULL;
+        if (m && (of_noise || !s->of_noise))
+            step[i] = small_step(rr[i], m, of_noise);
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_conclude(c, step, n, s->of_noise ? "of what is allowed" : "RMS");
     return RL_OK;
 }
 
@@ -112,7 +110,8 @@ static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "regular";
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *random = find(j, "series=normals normal_bits=8", rr[i], "bias");
         const struct rl_metric *regular = find(j, "series=regular normal_bits=8", rr[i], "change");
@@ -120,12 +119,10 @@ static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
             continue;
         struct rl_claim ratio = {0};
         rl_judging_ratio(&ratio, random, regular, "1");
-        verdict[i] = rl_verdict_at_most(ratio.low, ratio.high, 1.0);
-        rl_judging_note(c, rr[i], ratio.value);
-        if (rr[i] == rl_central_rr(rr, n))
-            rl_claim_value(c, ratio.value, ratio.low, ratio.high, "times");
+        step[i] = (struct rl_step){rr[i], ratio.value, ratio.low, ratio.high,
+                                   rl_verdict_at_most(ratio.low, ratio.high, 1.0)};
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_conclude(c, step, n, "times");
     return RL_OK;
 }
 

@@ -34,7 +34,7 @@ static const char *largest(const struct rl_judging *j, double rr, const char *bu
     return name;
 }
 
-/* Whether an arm's share of the sum keeps to a bound at every R_r. The figure shown is that of the central one. */
+/* Whether an arm's share of the sum keeps to a bound at every R_r. */
 static int claim_share(const struct rl_judging *j, const double *rr, size_t n, const char *arm,
                        const char *text, bool at_least, double bound)
 {
@@ -42,18 +42,17 @@ static int claim_share(const struct rl_judging *j, const double *rr, size_t n, c
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "smoother";
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, arm, rr[i], "share");
         if (!m)
             continue;
-        rl_judging_note(c, rr[i], m->value);
-        verdict[i] = at_least ? rl_verdict_at_least(m->low, m->high, bound)
-                              : rl_verdict_at_most(m->low, m->high, bound);
-        if (rr[i] == rl_central_rr(rr, n))
-            rl_claim_value(c, m->value, m->low, m->high, "of the sum of MSE");
+        step[i] = (struct rl_step){rr[i], m->value, m->low, m->high,
+                                   at_least ? rl_verdict_at_least(m->low, m->high, bound)
+                                            : rl_verdict_at_most(m->low, m->high, bound)};
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_conclude(c, step, n, "of the sum of MSE");
     return RL_OK;
 }
 

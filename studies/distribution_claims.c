@@ -6,47 +6,16 @@
 
 #include "measure/goodness.h"
 #include "studies/distribution.h"
+#include "studies/judging.h"
 
-enum { AXIS_MAX = 32 };
-
-static const double step_of_8_bits = 1.0 / 255.0;
 static const double cdf_bound = 0.01;
 
 struct view {
-    const struct rl_run *run;
-    struct rl_claims *claims;
-    struct rl_error *error;
+    struct rl_judging j;
     double n_tests; /* chi-square tests of the run, of delta and of theta */
-    double rr[AXIS_MAX];
+    double rr[RL_AXIS_MAX];
     size_t n_rr; /* ascending */
 };
-
-static struct rl_claim *begin_claim(const struct view *v, const char *text)
-{
-    struct rl_claim *c = rl_claims_add(v->claims, v->error);
-    if (!c)
-        return NULL;
-    snprintf(c->text, sizeof c->text, "%s", text);
-    rl_claim_source(c, v->run, RL_NO_SCENE);
-    return c;
-}
-
-/* The different R_r of measured maps, and how many tests were made. */
-static void look(struct view *v)
-{
-    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, RL_NO_SCENE, "series=map"));) {
-        double rr = rl_parameter_number(r->parameters, "rr");
-        size_t at = 0;
-        v->n_tests += 2.0;
-        while (at < v->n_rr && v->rr[at] < rr)
-            at++;
-        if (isnan(rr) || (at < v->n_rr && v->rr[at] == rr) || v->n_rr == AXIS_MAX)
-            continue;
-        memmove(v->rr + at + 1, v->rr + at, (v->n_rr - at) * sizeof *v->rr);
-        v->rr[at] = rr;
-        v->n_rr++;
-    }
-}
 
 /* The largest map of a format at one R_r; NULL if none was measured. */
 static const struct rl_record *largest_map(const struct view *v, const char *bits, double rr)
@@ -54,7 +23,7 @@ static const struct rl_record *largest_map(const struct view *v, const char *bit
     char pattern[96];
     const struct rl_record *best = NULL;
     snprintf(pattern, sizeof pattern, "series=map normal_bits=%s rr=%g", bits, rr);
-    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, RL_NO_SCENE, pattern));)
+    for (const struct rl_record *r = NULL; (r = rl_run_next(v->j.run, r, RL_NO_SCENE, pattern));)
         if (!best || rl_parameter_number(r->parameters, "normal_size") >
                          rl_parameter_number(best->parameters, "normal_size"))
             best = r;
@@ -68,43 +37,18 @@ static double smaller_p(const struct rl_record *r)
     return delta && theta ? fmin(delta->value, theta->value) : 1.0;
 }
 
-/* "; R_r 3: 0.031" */
-static void append(char *note, size_t size, double rr, double value)
-{
-    size_t used = strlen(note);
-    snprintf(note + used, size - used, "%sR_r %g: %.2g", used ? "; " : "", rr, value);
-}
-
-/* Along R_r from rough to smooth: where the claim holds without a gap from the rough end, its reach is the smoothest such R_r. */
-static void judge_along_rr(struct rl_claim *c, const struct view *v, const enum rl_verdict *verdict)
-{
-    size_t n = v->n_rr, holding = 0, failing = 0;
-    while (holding < n && verdict[holding] == RL_VERDICT_HOLDS)
-        holding++;
-    for (size_t i = 0; i < n; i++)
-        failing += verdict[i] == RL_VERDICT_FAILS;
-    if (n > 0 && holding == n) {
-        c->verdict = RL_VERDICT_HOLDS;
-    } else if (holding > 0 && failing > 0) {
-        c->verdict = RL_VERDICT_HOLDS_UP_TO;
-        rl_claim_value(c, v->rr[holding - 1], v->rr[holding - 1], v->rr[holding - 1], "R_r and rougher");
-    } else if (failing == n && n > 0) {
-        c->verdict = RL_VERDICT_FAILS;
-    }
-}
-
 /* The inverse cdf: no test of any float map fails, and no cdf is far. The number is the farthest of the largest maps. */
 static int claim_inverse(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "paper: normals by the inverse cdf follow D at every R_r (float maps: chi-square of "
-                       "delta and theta pass; the cdf is within 0.01)");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "paper: normals by the inverse cdf follow D at every R_r (float maps: chi-square of "
+               "delta and theta pass; the cdf is within 0.01)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "fit";
     double smallest = 1.0;
     for (const struct rl_record *r = NULL;
-         (r = rl_run_next(v->run, r, RL_NO_SCENE, "series=map normal_bits=float"));)
+         (r = rl_run_next(v->j.run, r, RL_NO_SCENE, "series=map normal_bits=float"));)
         smallest = fmin(smallest, smaller_p(r));
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, "float", v->rr[i]);
@@ -120,48 +64,50 @@ static int claim_inverse(const struct view *v)
     return RL_OK;
 }
 
-/* How far stored normals still follow D: by the cdf's distance. */
+/* How far stored normals still follow D: by the cdf's distance. Where it holds at every R_r, the farthest is its number. */
 static int claim_cdf(const struct view *v, const char *bits, const char *text)
 {
-    struct rl_claim *c = begin_claim(v, text);
+    struct rl_claim *c = rl_judging_claim(&v->j, text);
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "fit";
-    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, v->rr, v->n_rr);
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, bits, v->rr[i]);
         const struct rl_metric *k = r ? rl_record_metric(r, "kolmogorov") : NULL;
         if (!k)
             continue;
-        verdict[i] = rl_verdict_at_most(k->low, k->high, cdf_bound);
-        append(c->note, sizeof c->note, v->rr[i], k->value);
+        step[i] = (struct rl_step){v->rr[i], k->value, k->low, k->high,
+                                   rl_verdict_at_most(k->low, k->high, cdf_bound)};
         if (!(k->value <= c->value))
             rl_claim_value(c, k->value, k->low, k->high, "of U");
     }
-    judge_along_rr(c, v, verdict);
+    rl_judging_conclude(c, step, v->n_rr, "of U");
     return RL_OK;
 }
 
-/* By chi-square, which sees levels however fine if there are texels enough. The number is the last R_r that passes. */
+/* By chi-square, which sees levels however fine if there are texels enough. Where all pass the smallest p is its number. */
 static int claim_chi_square(const struct view *v, const char *bits, const char *text)
 {
-    struct rl_claim *c = begin_claim(v, text);
+    struct rl_claim *c = rl_judging_claim(&v->j, text);
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "histogram";
-    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, v->rr, v->n_rr);
     double level = rl_sidak_level(RL_DISTRIBUTION_LEVEL, v->n_tests);
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, bits, v->rr[i]);
         if (!r)
             continue;
         double p = smaller_p(r), corrected = rl_sidak_p(p, v->n_tests);
-        verdict[i] = p >= level ? RL_VERDICT_HOLDS : RL_VERDICT_FAILS;
-        append(c->note, sizeof c->note, v->rr[i], corrected);
+        step[i] = (struct rl_step){v->rr[i], corrected, corrected, corrected,
+                                   p >= level ? RL_VERDICT_HOLDS : RL_VERDICT_FAILS};
         if (!(corrected >= c->value))
-            rl_claim_value(c, corrected, corrected, corrected, "smallest p, Sidak");
+            rl_claim_value(c, corrected, corrected, corrected, "p, Sidak");
     }
-    judge_along_rr(c, v, verdict);
+    rl_judging_conclude(c, step, v->n_rr, "p, Sidak");
     return RL_OK;
 }
 
@@ -169,9 +115,9 @@ static int claim_chi_square(const struct view *v, const char *bits, const char *
  * where it shows. */
 static int claim_tilt_8(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "ours: 8 bits do not tilt the mean normal: at every R_r by less than a tenth of a "
-                       "step of 2/255, zero having no level of its own");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "ours: 8 bits do not tilt the mean normal: at every R_r by less than a tenth of a "
+               "step of 2/255, zero having no level of its own");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "tilt";
@@ -187,19 +133,20 @@ static int claim_tilt_8(const struct view *v)
     }
     snprintf(c->note, sizeof c->note, "the largest of %zu R_r, of which %zu have zero in the interval",
              v->n_rr, with_zero);
-    c->verdict = rl_verdict_at_most(c->low, c->high, 0.1 * 2.0 * step_of_8_bits);
+    c->verdict = rl_verdict_at_most(c->low, c->high, 0.1 * 2.0 * RL_STEP_OF_8_BITS);
     return RL_OK;
 }
 
 static int claim_tilt_half(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "ours: half floats, whose steps are finer on one side of N than on the other, tilt "
-                       "the mean normal by less than 1 % of the lobe's median delta");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "ours: half floats, whose steps are finer on one side of N than on the other, tilt "
+               "the mean normal by less than 1 % of the lobe's median delta");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "tilt";
-    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, v->rr, v->n_rr);
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, "half", v->rr[i]);
         const struct rl_metric *t = r ? rl_record_metric(r, "tilt") : NULL;
@@ -207,35 +154,36 @@ static int claim_tilt_half(const struct view *v)
             continue;
         struct rl_ellipsoid e = rl_ellipsoid_make(v->rr[i]);
         double width = rl_ellipsoid_inverse(&e, 0.75).delta;
-        verdict[i] = rl_verdict_at_most(t->low / width, t->high / width, 0.01);
-        append(c->note, sizeof c->note, v->rr[i], t->value / width);
+        step[i] = (struct rl_step){v->rr[i], t->value / width, t->low / width, t->high / width,
+                                   rl_verdict_at_most(t->low / width, t->high / width, 0.01)};
         if (!(t->value / width <= c->value))
             rl_claim_value(c, t->value / width, t->low / width, t->high / width, "of the median");
     }
-    judge_along_rr(c, v, verdict);
+    rl_judging_conclude(c, step, v->n_rr, "of the median");
     return RL_OK;
 }
 
 static int claim_width(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "ours: the lobe that an 8-bit map holds is as wide as D's (median delta, to within "
-                       "10 %)");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "ours: the lobe that an 8-bit map holds is as wide as D's (median delta, to within "
+               "10 %)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "width";
-    enum rl_verdict verdict[AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, v->rr, v->n_rr);
     for (size_t i = 0; i < v->n_rr; i++) {
         const struct rl_record *r = largest_map(v, "8", v->rr[i]);
         const struct rl_metric *w = r ? rl_record_metric(r, "width") : NULL;
         if (!w)
             continue;
-        verdict[i] = rl_verdict_equals(w->low, w->high, 1.0, 0.1);
-        append(c->note, sizeof c->note, v->rr[i], w->value);
+        step[i] = (struct rl_step){v->rr[i], w->value, w->low, w->high,
+                                   rl_verdict_equals(w->low, w->high, 1.0, 0.1)};
         if (!(fabs(w->value - 1.0) <= fabs(c->value - 1.0)))
             rl_claim_value(c, w->value, w->low, w->high, "times");
     }
-    judge_along_rr(c, v, verdict);
+    rl_judging_conclude(c, step, v->n_rr, "times");
     return RL_OK;
 }
 
@@ -244,7 +192,7 @@ static const struct rl_record *point(const struct view *v, const char *generator
 {
     char pattern[96];
     snprintf(pattern, sizeof pattern, "series=point generator=%s normal_bits=%s samples=4", generator, bits);
-    return rl_run_find(v->run, RL_NO_SCENE, pattern);
+    return rl_run_find(v->j.run, RL_NO_SCENE, pattern);
 }
 
 static const struct rl_metric *at_point(const struct view *v, const char *generator, const char *bits,
@@ -256,9 +204,9 @@ static const struct rl_metric *at_point(const struct view *v, const char *genera
 
 static int claim_restarted(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "paper: a linear congruential generator restarted at every pixel has bias in place "
-                       "of noise (share of the squared error, at least 0.9, N = 4)");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "paper: a linear congruential generator restarted at every pixel has bias in place "
+               "of noise (share of the squared error, at least 0.9, N = 4)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "generators";
@@ -278,9 +226,9 @@ static int claim_restarted(const struct view *v)
 
 static int claim_baked(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "paper: random numbers baked into a map serve: no bias (mean error of 4 normals to "
-                       "within 1/255, float map)");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "paper: random numbers baked into a map serve: no bias (mean error of 4 normals to "
+               "within 1/255, float map)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "generators";
@@ -291,15 +239,15 @@ static int claim_baked(const struct view *v)
     rl_claim_value(c, b->value, b->low, b->high, "1");
     snprintf(c->note, sizeof c->note, "from an 8-bit map %.2g, %.2g to %.2g", eight->value, eight->low,
              eight->high);
-    c->verdict = rl_verdict_equals(c->low, c->high, 0.0, step_of_8_bits);
+    c->verdict = rl_verdict_equals(c->low, c->high, 0.0, RL_STEP_OF_8_BITS);
     return RL_OK;
 }
 
 static int claim_hash(const struct view *v)
 {
-    struct rl_claim *c =
-        begin_claim(v, "ours: normals from a map are as noisy as those of a hash of each pixel (ratio of "
-                       "noise, to within 5 %, N = 4)");
+    struct rl_claim *c = rl_judging_claim(
+        &v->j, "ours: normals from a map are as noisy as those of a hash of each pixel (ratio of "
+               "noise, to within 5 %, N = 4)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "generators";
@@ -314,8 +262,10 @@ static int claim_hash(const struct view *v)
 
 int rl_distribution_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
 {
-    struct view v = {.run = run, .claims = claims, .error = error};
-    look(&v);
+    struct view v = {.j = {run, RL_NO_SCENE, claims, error}};
+    v.n_rr = rl_judging_axis(&v.j, "series=map", "rr", v.rr);
+    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, RL_NO_SCENE, "series=map"));)
+        v.n_tests += 2.0;
     int status = claim_inverse(&v);
     if (status == RL_OK)
         status =

@@ -12,7 +12,10 @@ struct rl_claim *rl_judging_claim(const struct rl_judging *j, const char *text)
     struct rl_claim *c = rl_claims_add(j->claims, j->error);
     if (!c)
         return NULL;
-    snprintf(c->text, sizeof c->text, "%.200s (%.40s)", text, j->scene);
+    if (strcmp(j->scene, RL_NO_SCENE) == 0)
+        snprintf(c->text, sizeof c->text, "%.250s", text);
+    else
+        snprintf(c->text, sizeof c->text, "%.200s (%.40s)", text, j->scene);
     rl_claim_source(c, j->run, j->scene);
     return c;
 }
@@ -50,33 +53,102 @@ double rl_central_rr(const double *rr, size_t n)
     return best;
 }
 
-void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n)
+void rl_judging_steps(struct rl_step step[RL_AXIS_MAX], const double *rr, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        step[i] = (struct rl_step){rr[i], NAN, NAN, NAN, RL_VERDICT_INCONCLUSIVE};
+}
+
+/* Of the measured steps of that verdict the nearest to the central R_r; NULL if there is none. */
+static const struct rl_step *speaker(const struct rl_step *step, size_t n, enum rl_verdict verdict)
+{
+    const struct rl_step *best = NULL;
+    for (size_t i = 0; i < n; i++)
+        if (step[i].verdict == verdict && !isnan(step[i].value) &&
+            (!best || fabs(log(step[i].rr / RL_CENTRAL_RR)) < fabs(log(best->rr / RL_CENTRAL_RR))))
+            best = &step[i];
+    return best;
+}
+
+static void note_all(struct rl_claim *c, const struct rl_step *step, size_t n)
+{
+    size_t measured = 0;
+    for (size_t i = 0; i < n; i++)
+        measured += !isnan(step[i].value);
+    for (size_t i = 0; i < n && measured > 0; i++)
+        rl_judging_note(c, step[i].rr, step[i].value);
+}
+
+/* The verdict of all is that of the step that speaks for them, whose number is shown but where the claim has one already. */
+static void speak(struct rl_claim *c, const struct rl_step *step, size_t n, enum rl_verdict verdict,
+                  const char *unit)
+{
+    const struct rl_step *s = speaker(step, n, verdict);
+    c->verdict = verdict;
+    if (s && (verdict != RL_VERDICT_HOLDS || isnan(c->value))) {
+        size_t used = strlen(c->note);
+        rl_claim_value(c, s->value, s->low, s->high, unit);
+        snprintf(c->note + used, sizeof c->note - used, "%sat R_r %g", used ? "; " : "", s->rr);
+    } else if (!s) {
+        rl_claim_value(c, NAN, NAN, NAN, unit);
+    }
+}
+
+static void reach(struct rl_claim *c, const struct rl_step *step, size_t n, size_t rough, size_t smooth)
+{
+    c->verdict = RL_VERDICT_HOLDS_UP_TO;
+    if (smooth >= rough) {
+        size_t end = n - smooth, failing = end;
+        while (failing > 0 && step[failing - 1].verdict != RL_VERDICT_FAILS)
+            failing--;
+        rl_claim_value(c, step[end].rr, failing > 0 ? step[failing - 1].rr : 0.0, step[end].rr,
+                       "R_r and smoother");
+    } else {
+        size_t failing = rough;
+        while (failing < n && step[failing].verdict != RL_VERDICT_FAILS)
+            failing++;
+        rl_claim_value(c, step[rough - 1].rr, step[rough - 1].rr, failing < n ? step[failing].rr : INFINITY,
+                       "R_r and rougher");
+    }
+}
+
+void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit)
 {
     size_t smooth = 0, rough = 0, failing = 0;
-    while (smooth < n && verdict[n - 1 - smooth] == RL_VERDICT_HOLDS)
+    while (smooth < n && step[n - 1 - smooth].verdict == RL_VERDICT_HOLDS)
         smooth++;
-    while (rough < n && verdict[rough] == RL_VERDICT_HOLDS)
+    while (rough < n && step[rough].verdict == RL_VERDICT_HOLDS)
         rough++;
     for (size_t i = 0; i < n; i++)
-        failing += verdict[i] == RL_VERDICT_FAILS;
-    if (n > 0 && smooth == n) {
-        c->verdict = RL_VERDICT_HOLDS;
-    } else if (smooth + rough > 0 && failing > 0) {
-        c->verdict = RL_VERDICT_HOLDS_UP_TO;
-        if (smooth >= rough)
-            rl_claim_value(c, rr[n - smooth], rr[n - smooth - 1], rr[n - smooth], "R_r and smoother");
-        else
-            rl_claim_value(c, rr[rough - 1], rr[rough - 1], rr[rough], "R_r and rougher");
-    } else if (n > 0 && failing == n) {
-        c->verdict = RL_VERDICT_FAILS;
-    }
+        failing += step[i].verdict == RL_VERDICT_FAILS;
+    if (n > 0 && smooth == n)
+        speak(c, step, n, RL_VERDICT_HOLDS, unit);
+    else if (smooth + rough > 0)
+        reach(c, step, n, rough, smooth);
+    else
+        speak(c, step, n, failing > 0 ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE, unit);
+    note_all(c, step, n);
+}
+
+void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n)
+{
+    struct rl_claim concluded = *c;
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
+    for (size_t i = 0; i < n; i++)
+        step[i].verdict = verdict[i];
+    rl_judging_conclude(&concluded, step, n, c->unit);
+    c->verdict = concluded.verdict;
+    if (c->verdict == RL_VERDICT_HOLDS_UP_TO)
+        rl_claim_value(c, concluded.value, concluded.low, concluded.high, concluded.unit);
 }
 
 void rl_judging_note(struct rl_claim *c, double rr, double value)
 {
     size_t used = strlen(c->note);
-    if (isinf(value))
-        snprintf(c->note + used, sizeof c->note - used, "%sR_r %g: none", used ? "; " : "", rr);
+    if (!isfinite(value))
+        snprintf(c->note + used, sizeof c->note - used, "%sR_r %g: %s", used ? "; " : "", rr,
+                 isnan(value) ? "not measured" : "none");
     else
         snprintf(c->note + used, sizeof c->note - used, "%sR_r %g: %.3g", used ? "; " : "", rr, value);
 }

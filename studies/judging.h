@@ -4,7 +4,10 @@
  *     double rr[RL_AXIS_MAX];
  *     size_t n = rl_judging_axis(&j, "series=methods", "rr", rr);
  *     struct rl_claim *c = rl_judging_claim(&j, "paper: 4 random normals suffice");
- *     rl_judging_along(c, rr, verdict, n);
+ *     struct rl_step step[RL_AXIS_MAX];
+ *     rl_judging_steps(step, rr, n);
+ *     step[i] = (struct rl_step){rr[i], m->value, m->low, m->high, rl_verdict_at_most(m->low, m->high, bound)}; ...
+ *     rl_judging_conclude(c, step, n, "RMSE");
  */
 #ifndef RL_STUDIES_JUDGING_H
 #define RL_STUDIES_JUDGING_H
@@ -28,7 +31,7 @@ struct rl_judging {
     struct rl_error *error;
 };
 
-/* A new claim about the scene, its name added in brackets; NULL if memory runs out. */
+/* A new claim about the scene, its name added in brackets if there is one; NULL if memory runs out. */
 struct rl_claim *rl_judging_claim(const struct rl_judging *j, const char *text);
 
 /* The metric of the first measured row that matches; NULL if there is none. */
@@ -42,13 +45,28 @@ size_t rl_judging_axis(const struct rl_judging *j, const char *pattern, const ch
 /* The R_r nearest to the central one, in ratio. */
 double rl_central_rr(const double *rr, size_t n);
 
-/* The verdicts at the R_r of an ascending axis make one: holds or fails where they all do. Where it holds without a gap from one end, the
- * smooth or the rough one, and fails somewhere beyond, its reach is the last such R_r, which
- * becomes the claim's value, and the next R_r the other end of the interval that holds the limit; of two
- * such reaches the longer one. Else the claim is left as it is. */
+/* What a claim finds at one R_r of an ascending axis. NaN, inconclusive: not measured. */
+struct rl_step {
+    double rr, value, low, high;
+    enum rl_verdict verdict;
+};
+
+/* One each R_r, not measured yet. */
+void rl_judging_steps(struct rl_step step[RL_AXIS_MAX], const double *rr, size_t n);
+
+/* The steps make one verdict, and the claim's number is what carries it:
+ * - holds: at every R_r. The number that the claim already has, else that of the central R_r.
+ * - holds up to: without a gap from one end, the smooth or the rough one (the longer of two such reaches), and not beyond. The last
+ *   such R_r; the other end of its interval is the first R_r that fails, or there is none (infinity; from the smooth end 0).
+ * - fails: at neither end does it hold, and some R_r fails. The number of that which fails, the nearest to the central one of several.
+ * - inconclusive: likewise of what is undecided.
+ * The note gets the R_r that the number belongs to, and the numbers of all. */
+void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit);
+
+/* The same from verdicts alone: fails and inconclusive leave the claim's number as it is, and its note is. */
 void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n);
 
-/* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value. */
+/* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */
 void rl_judging_note(struct rl_claim *c, double rr, double value);
 
 /* a / b as the claim's value, their intervals taken for independent: the worst of both ends. */

@@ -13,7 +13,7 @@ static const struct rl_metric *find(const struct rl_judging *j, const char *what
     return rl_judging_metric(j, pattern, metric);
 }
 
-/* Is a metric at most `bound` at every R_r? The figure shown is that of the central one. */
+/* Is a metric at most one step of an 8-bit frame buffer at every R_r? */
 static int claim_at_most(const struct rl_judging *j, const double *rr, size_t n, const char *text,
                          const char *what, const char *metric)
 {
@@ -21,17 +21,16 @@ static int claim_at_most(const struct rl_judging *j, const double *rr, size_t n,
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "error";
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, what, rr[i], metric);
         if (!m)
             continue;
-        verdict[i] = rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS);
-        rl_judging_note(c, rr[i], m->value);
-        if (rr[i] == rl_central_rr(rr, n))
-            rl_claim_value(c, m->value, m->low, m->high, "RMSE");
+        step[i] = (struct rl_step){rr[i], m->value, m->low, m->high,
+                                   rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS)};
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_conclude(c, step, n, "RMSE");
     return RL_OK;
 }
 
@@ -84,17 +83,15 @@ static int claim_needed(const struct rl_judging *j, const double *rr, size_t n)
         if (!c)
             return RL_ERR_SYSTEM;
         c->figure = "needed";
-        enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+        struct rl_step step[RL_AXIS_MAX];
+        rl_judging_steps(step, rr, n);
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *m = find(j, row[k].what, rr[i], row[k].metric);
             if (!m)
                 continue;
-            verdict[i] = some_suffice(m);
-            rl_judging_note(c, rr[i], m->value);
-            if (rr[i] == rl_central_rr(rr, n))
-                rl_claim_value(c, m->value, m->low, m->high, "normals a pixel");
+            step[i] = (struct rl_step){rr[i], m->value, m->low, m->high, some_suffice(m)};
         }
-        rl_judging_along(c, rr, verdict, n);
+        rl_judging_conclude(c, step, n, "normals a pixel");
     }
     return RL_OK;
 }
@@ -147,7 +144,8 @@ static int claim_against(const struct rl_judging *j, const double *rr, size_t n)
         if (!c)
             return RL_ERR_SYSTEM;
         c->figure = "error";
-        enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+        struct rl_step step[RL_AXIS_MAX];
+        rl_judging_steps(step, rr, n);
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *a =
                 find(j, "series=methods setting=paper method=random samples=4", rr[i], "rmse");
@@ -156,12 +154,10 @@ static int claim_against(const struct rl_judging *j, const double *rr, size_t n)
                 continue;
             struct rl_claim ratio = {0};
             rl_judging_ratio(&ratio, a, b, "1");
-            verdict[i] = rl_verdict_at_most(ratio.low, ratio.high, 1.0);
-            rl_judging_note(c, rr[i], ratio.value);
-            if (rr[i] == rl_central_rr(rr, n))
-                rl_claim_value(c, ratio.value, ratio.low, ratio.high, "1");
+            step[i] = (struct rl_step){rr[i], ratio.value, ratio.low, ratio.high,
+                                       rl_verdict_at_most(ratio.low, ratio.high, 1.0)};
         }
-        rl_judging_along(c, rr, verdict, n);
+        rl_judging_conclude(c, step, n, "1");
     }
     return RL_OK;
 }

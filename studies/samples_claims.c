@@ -24,7 +24,7 @@ static size_t rr_axis(const struct rl_judging *v, double rr[RL_AXIS_MAX])
     return rl_judging_axis(v, "series=methods setting=paper", "rr", rr);
 }
 
-/* Four samples: below one step of an 8-bit frame buffer? The figure shown is that of the central R_r. */
+/* Four samples: below one step of an 8-bit frame buffer? */
 static int claim_four(const struct rl_judging *v, const double *rr, size_t n)
 {
     struct rl_claim *c =
@@ -32,17 +32,16 @@ static int claim_four(const struct rl_judging *v, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "error";
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(v, "random", 4, rr[i], "rmse");
         if (!m)
             continue;
-        verdict[i] = rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS);
-        rl_judging_note(c, rr[i], m->value);
-        if (rr[i] == rl_central_rr(rr, n))
-            rl_claim_value(c, m->value, m->low, m->high, "RMSE");
+        step[i] = (struct rl_step){rr[i], m->value, m->low, m->high,
+                                   rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS)};
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_conclude(c, step, n, "RMSE");
     return RL_OK;
 }
 
@@ -76,18 +75,18 @@ static int claim_enough(const struct rl_judging *v, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "error";
-    enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
-        double needed = samples_needed(v, rr[i], 0), high = samples_needed(v, rr[i], 1);
-        verdict[i] = isnan(needed)    ? RL_VERDICT_INCONCLUSIVE
-                     : isfinite(high) ? RL_VERDICT_HOLDS
-                     : isinf(needed)  ? RL_VERDICT_FAILS
-                                      : RL_VERDICT_INCONCLUSIVE;
-        rl_judging_note(c, rr[i], needed);
-        if (rr[i] == rl_central_rr(rr, n))
-            rl_claim_value(c, needed, samples_needed(v, rr[i], -1), high, "normals a pixel");
+        double low = samples_needed(v, rr[i], -1), needed = samples_needed(v, rr[i], 0),
+               high = samples_needed(v, rr[i], 1);
+        step[i] = (struct rl_step){rr[i], needed, low, high,
+                                   isnan(needed)    ? RL_VERDICT_INCONCLUSIVE
+                                   : isfinite(high) ? RL_VERDICT_HOLDS
+                                   : isinf(low)     ? RL_VERDICT_FAILS
+                                                    : RL_VERDICT_INCONCLUSIVE};
     }
-    rl_judging_along(c, rr, verdict, n);
+    rl_judging_conclude(c, step, n, "normals a pixel");
     return RL_OK;
 }
 
@@ -228,20 +227,19 @@ static int claim_against_regular(const struct rl_judging *v, const double *rr, s
         if (!c)
             return RL_ERR_SYSTEM;
         c->figure = row[k].metric[0] == 'f' ? "split" : "error";
-        enum rl_verdict verdict[RL_AXIS_MAX] = {RL_VERDICT_INCONCLUSIVE};
+        struct rl_step step[RL_AXIS_MAX];
+        rl_judging_steps(step, rr, n);
         for (size_t i = 0; i < n; i++) {
             const struct rl_metric *random = find(v, "random", 4, rr[i], row[k].metric);
             const struct rl_metric *regular = find(v, "regular", 13, rr[i], row[k].metric);
             if (!random || !regular)
                 continue;
-            rl_judging_note(c, rr[i], random->value / regular->value);
             struct rl_claim ratio = {0};
             rl_judging_ratio(&ratio, random, regular, "1");
-            verdict[i] = rl_verdict_at_most(ratio.low, ratio.high, 1.0);
-            if (rr[i] == rl_central_rr(rr, n))
-                rl_claim_value(c, ratio.value, ratio.low, ratio.high, "1");
+            step[i] = (struct rl_step){rr[i], ratio.value, ratio.low, ratio.high,
+                                       rl_verdict_at_most(ratio.low, ratio.high, 1.0)};
         }
-        rl_judging_along(c, rr, verdict, n);
+        rl_judging_conclude(c, step, n, "1");
     }
     return RL_OK;
 }

@@ -1,0 +1,120 @@
+/* Verdicts along R_r: of every pattern of steps, the verdict of all, the number that carries it, and what the note says of the rest. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "studies/judging.h"
+#include "support/check.h"
+
+enum { STEPS = 5 };
+
+static const double rr[STEPS] = {1.0, 10.0, 30.0, 100.0, 1000.0};
+
+/* A letter each R_r: h holds, f fails, u undecided, - not measured. The number at the i-th R_r is i + 1, its interval a tenth to each
+ * side. */
+static struct rl_claim concluded(const char *letters, struct rl_claim c)
+{
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, strlen(letters));
+    for (size_t i = 0; letters[i]; i++)
+        if (letters[i] != '-') {
+            double x = (double)(i + 1);
+            step[i] = (struct rl_step){rr[i], x, x - 0.1, x + 0.1,
+                                       letters[i] == 'h'   ? RL_VERDICT_HOLDS
+                                       : letters[i] == 'f' ? RL_VERDICT_FAILS
+                                                           : RL_VERDICT_INCONCLUSIVE};
+        }
+    rl_judging_conclude(&c, step, strlen(letters), "of something");
+    return c;
+}
+
+static const struct rl_claim fresh = {
+    .verdict = RL_VERDICT_INCONCLUSIVE, .value = NAN, .low = NAN, .high = NAN};
+
+static void the_number_carries_the_verdict(void **state)
+{
+    (void)state;
+    static const char rough[] = "R_r and rougher", smooth[] = "R_r and smoother", figure[] = "of something";
+    static const struct {
+        const char *letters;
+        enum rl_verdict verdict;
+        double value, low, high;
+        const char *unit, *note;
+    } rows[] = {
+        {"hhhhh", RL_VERDICT_HOLDS, 3.0, 2.9, 3.1, figure, "at R_r 30; R_r 1: 1; "},
+        {"hhffh", RL_VERDICT_HOLDS_UP_TO, 10.0, 10.0, 30.0, rough, "R_r 1: 1; R_r 10: 2; "},
+        {"hhuff", RL_VERDICT_HOLDS_UP_TO, 10.0, 10.0, 100.0, rough, "R_r 1: 1; "},
+        {"hhhuu", RL_VERDICT_HOLDS_UP_TO, 30.0, 30.0, INFINITY, rough, "R_r 1: 1; "},
+        {"hhhh-", RL_VERDICT_HOLDS_UP_TO, 100.0, 100.0, INFINITY, rough, "R_r 1: 1; "},
+        {"ffuhh", RL_VERDICT_HOLDS_UP_TO, 100.0, 10.0, 100.0, smooth, "R_r 1: 1; "},
+        {"uuuhh", RL_VERDICT_HOLDS_UP_TO, 100.0, 0.0, 100.0, smooth, "R_r 1: 1; "},
+        {"hfhhh", RL_VERDICT_HOLDS_UP_TO, 30.0, 10.0, 30.0, smooth, "R_r 1: 1; "},
+        {"hhhfh", RL_VERDICT_HOLDS_UP_TO, 30.0, 30.0, 100.0, rough, "R_r 1: 1; "},
+        /* No end holds: one that fails is enough. */
+        {"fffff", RL_VERDICT_FAILS, 3.0, 2.9, 3.1, figure, "at R_r 30; "},
+        {"uuuuf", RL_VERDICT_FAILS, 5.0, 4.9, 5.1, figure, "at R_r 1000; R_r 1: 1; "},
+        {"uhhfu", RL_VERDICT_FAILS, 4.0, 3.9, 4.1, figure, "at R_r 100; "},
+        {"f---u", RL_VERDICT_FAILS, 1.0, 0.9, 1.1, figure, "at R_r 1; "},
+        {"-fuf-", RL_VERDICT_FAILS, 2.0, 1.9, 2.1, figure, "at R_r 10; "}, /* by its ratio nearer to 30 */
+        {"uhhhu", RL_VERDICT_INCONCLUSIVE, 1.0, 0.9, 1.1, figure, "at R_r 1; "},
+        {"-hhhu", RL_VERDICT_INCONCLUSIVE, 5.0, 4.9, 5.1, figure, "at R_r 1000; R_r 1: not measured; "},
+        {"uuuuu", RL_VERDICT_INCONCLUSIVE, 3.0, 2.9, 3.1, figure, "at R_r 30; "},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_claim c = concluded(rows[i].letters, fresh);
+        if (c.verdict != rows[i].verdict || c.value != rows[i].value)
+            fail_msg("%s: %s at %g, expected %s at %g", rows[i].letters, rl_verdict_name(c.verdict), c.value,
+                     rl_verdict_name(rows[i].verdict), rows[i].value);
+        check_near(c.low, rows[i].low, 1e-12);
+        if (isinf(rows[i].high))
+            assert_true(c.high == INFINITY);
+        else
+            check_near(c.high, rows[i].high, 1e-12);
+        assert_string_equal(c.unit, rows[i].unit);
+        if (strncmp(c.note, rows[i].note, strlen(rows[i].note)) != 0)
+            fail_msg("%s: '%s', expected '%s...'", rows[i].letters, c.note, rows[i].note);
+    }
+}
+
+static void nothing_measured_says_nothing(void **state)
+{
+    (void)state;
+    static const char *const rows[] = {"", "-", "-----"};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_claim c = concluded(rows[i], fresh);
+        assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+        assert_true(isnan(c.value));
+        assert_string_equal(c.note, "");
+    }
+    /* Some that was, all of it good, but neither end. */
+    struct rl_claim c = concluded("-hhh-", fresh);
+    assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_true(isnan(c.value));
+}
+
+/* A judge's own number, such as the worst of all, stays only where it cannot mislead. */
+static void own_numbers(void **state)
+{
+    (void)state;
+    struct rl_claim own = fresh;
+    rl_claim_value(&own, 7.0, 6.0, 8.0, "of its own");
+    assert_true(concluded("hhhhh", own).value == 7.0);
+    assert_true(concluded("hhhff", own).value == 30.0);
+    assert_true(concluded("uuffu", own).value == 3.0);
+    assert_true(concluded("uhhhh", own).value == 10.0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_number_carries_the_verdict),
+        cmocka_unit_test(nothing_measured_says_nothing),
+        cmocka_unit_test(own_numbers),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
