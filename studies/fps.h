@@ -50,6 +50,9 @@ void rl_fps_scene_free(struct rl_scene *copy);
 /* The models of every scene that has a series: one record each, "model=NAME ...", with its coefficients and residuals. */
 int rl_fps_derive(struct rl_run *models, const struct rl_run *run, struct rl_error *error);
 
+/* Reads the cases that a model is fitted to: a claim that rests on the model rests on them (results/trace.h). */
+void rl_fps_read_cases(const struct rl_run *run, const char *scene, const char *model);
+
 int rl_fps_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
 /* Those of the series beside table1. */
 int rl_fps_judge_costs(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);

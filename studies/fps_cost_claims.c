@@ -12,11 +12,21 @@ struct costs {
     struct rl_judging measured, models;
 };
 
+/* Whoever reads a model's figure reads the cases that it was fitted to. */
 static const struct rl_metric *model_metric(const struct costs *k, const char *model, const char *metric)
 {
     char pattern[64];
     snprintf(pattern, sizeof pattern, "model=%s", model);
+    rl_fps_read_cases(k->measured.run, k->measured.scene, model);
     return rl_judging_metric(&k->models, pattern, metric);
+}
+
+static struct rl_claim *begin_claim(const struct costs *k, const char *figure, const char *text)
+{
+    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    if (c)
+        c->figure = figure;
+    return c;
 }
 
 /* How far apart two arms of the same work were beside this model's cases; infinite: nobody knows. */
@@ -72,15 +82,14 @@ static void note_fit(struct rl_claim *c, const struct costs *k, const char *mode
 }
 
 /* Whether a model describes its series. A residual within what equal arms differ by is no fault of the model. */
-static int claim_fit(const struct costs *k, const char *model, const char *text, const char *figure)
+static int claim_fit(const struct costs *k, const char *model, const char *figure, const char *text)
 {
     static const double bound = 0.05;
     char words[200];
     snprintf(words, sizeof words, "%s: no case is off by more than 5 %%", text);
-    struct rl_claim *c = rl_judging_claim(&k->measured, words);
+    struct rl_claim *c = begin_claim(k, figure, words);
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = figure;
     const struct rl_metric *worst = model_metric(k, model, "worst_residual");
     if (!worst)
         return RL_OK;
@@ -112,18 +121,17 @@ static int claim_fits(const struct costs *k)
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof fit / sizeof fit[0] && status == RL_OK; i++)
-        status = claim_fit(k, fit[i].model, fit[i].text, fit[i].figure);
+        status = claim_fit(k, fit[i].model, fit[i].figure, fit[i].text);
     return status;
 }
 
 /* One model's coefficient over another's, at most `bound`. */
-static int claim_ratio(const struct costs *k, const char *text, const char *a, const char *b,
-                       const char *metric, double bound, const char *unit)
+static int claim_ratio(const struct costs *k, const char *figure, const char *text, const char *a,
+                       const char *b, const char *metric, double bound, const char *unit)
 {
-    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    struct rl_claim *c = begin_claim(k, figure, text);
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = strncmp(a, "objects", 7) == 0 ? "objects" : "scaling";
     const struct rl_metric *x = model_metric(k, a, metric), *y = model_metric(k, b, metric);
     if (!x || !y)
         return RL_OK;
@@ -139,10 +147,9 @@ static int claim_ratio(const struct costs *k, const char *text, const char *a, c
 /* One more of something, in parts of what the highlight adds with one. */
 static int claim_one_more(const struct costs *k, const char *text, const char *model, double bound)
 {
-    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    struct rl_claim *c = begin_claim(k, "roughness", text);
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "roughness";
     const struct rl_metric *constant = model_metric(k, model, "constant_ms");
     const struct rl_metric *each = model_metric(k, model, "per_roughness_us");
     if (!constant || !each)
@@ -157,54 +164,52 @@ static int claim_one_more(const struct costs *k, const char *text, const char *m
 /* Up to which picture size an arm keeps to 24 frames a second. */
 static int claim_reach(const struct costs *k, const char *arm, const char *text)
 {
-    struct rl_claim *c = rl_judging_claim(&k->measured, text);
+    struct rl_claim *c = begin_claim(k, "scaling", text);
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "scaling";
     char pattern[96];
     snprintf(pattern, sizeof pattern, "series=size arm=%s", arm);
-    double width[RL_AXIS_MAX], reach = 0.0, beyond = NAN;
+    double width[RL_AXIS_MAX], pixels[RL_AXIS_MAX], failing = INFINITY;
     size_t n = rl_judging_axis(&k->measured, pattern, "width", width), held = 0;
-    enum rl_verdict verdict = RL_VERDICT_HOLDS;
-    for (size_t i = 0; i < n && verdict == RL_VERDICT_HOLDS; i++) {
+    const struct rl_metric *beyond = NULL;
+    for (size_t i = 0; i < n && isinf(failing); i++) {
         char case_of[160];
         snprintf(case_of, sizeof case_of, "%s width=%.17g", pattern, width[i]);
         const struct rl_record *r = rl_run_find(k->measured.run, k->measured.scene, case_of);
         const struct rl_metric *fps = r ? rl_record_metric(r, "fps") : NULL;
-        double pixels = r ? width[i] * rl_parameter_number(r->parameters, "height") : NAN;
         if (!fps)
             return RL_OK;
-        verdict = rl_verdict_at_least(fps->low, fps->high, RL_FILM_FPS);
-        if (verdict == RL_VERDICT_HOLDS) {
-            held++;
-            reach = pixels;
-        } else {
-            beyond = pixels;
-        }
+        double height = rl_parameter_number(r->parameters, "height");
+        enum rl_verdict verdict = rl_verdict_at_least(fps->low, fps->high, RL_FILM_FPS);
+        pixels[i] = width[i] * height;
+        beyond = held == i ? fps : beyond;
+        held += held == i && verdict == RL_VERDICT_HOLDS;
+        failing = verdict == RL_VERDICT_FAILS ? pixels[i] : failing;
         size_t used = strlen(c->note);
         snprintf(c->note + used, sizeof c->note - used, "%s%gx%g: %.3g frames/s", used ? "; " : "", width[i],
-                 rl_parameter_number(r->parameters, "height"), fps->value);
+                 height, fps->value);
     }
     if (n == 0)
         return RL_OK;
-    rl_claim_value(c, reach, reach, isnan(beyond) ? reach : beyond, "px");
-    c->verdict = held == n                     ? RL_VERDICT_HOLDS
-                 : verdict != RL_VERDICT_FAILS ? RL_VERDICT_INCONCLUSIVE
-                 : held > 0                    ? RL_VERDICT_HOLDS_UP_TO
-                                               : RL_VERDICT_FAILS;
+    if (held > 0)
+        rl_claim_value(c, pixels[held - 1], pixels[held - 1], held == n ? pixels[n - 1] : failing, "px");
+    else
+        rl_claim_value(c, beyond->value, beyond->low, beyond->high, "frames/s");
+    c->verdict = held == n  ? RL_VERDICT_HOLDS
+                 : held > 0 ? RL_VERDICT_HOLDS_UP_TO
+                            : rl_verdict_at_least(beyond->low, beyond->high, RL_FILM_FPS);
     return RL_OK;
 }
 
 /* The largest environment map in place of the smallest, in the frame that looks it up; paired by round. */
 static int claim_map_size(const struct costs *k)
 {
-    struct rl_claim *c = rl_judging_claim(
-        &k->measured,
-        "ours: the largest environment map measured in place of the smallest slows the frame of "
-        "random 4 by no more than 10 %");
+    struct rl_claim *c =
+        begin_claim(k, "environment",
+                    "ours: the largest environment map measured in place of the smallest slows the frame of "
+                    "random 4 by no more than 10 %");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "environment";
     double size[RL_AXIS_MAX];
     size_t n = rl_judging_axis(&k->measured, "series=environment arm=random-4", "env_size", size);
     char pattern[2][96];
@@ -228,11 +233,9 @@ static int claim_map_size(const struct costs *k)
 /* Counted, not timed. */
 static int claim_maps_of_objects(const struct costs *k)
 {
-    struct rl_claim *c =
-        rl_judging_claim(&k->measured, "paper: every object has an environment map of its own");
+    struct rl_claim *c = begin_claim(k, "objects", "paper: every object has an environment map of its own");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "objects";
     double least = INFINITY, most = -INFINITY;
     for (const struct rl_record *r = NULL;
          (r = rl_run_next(k->measured.run, r, k->measured.scene, "series=objects arm=random-4"));) {
@@ -250,12 +253,10 @@ static int claim_maps_of_objects(const struct costs *k)
 
 static int claim_baking(const struct costs *k)
 {
-    struct rl_claim *c = rl_judging_claim(
-        &k->measured,
-        "ours: the normal map of one more roughness is made within a frame of 24 frames/s, once");
+    struct rl_claim *c = begin_claim(
+        k, "maps", "ours: the normal map of one more roughness is made within a frame of 24 frames/s, once");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "maps";
     const struct rl_metric *each = model_metric(k, "maps", "per_roughness_us");
     if (!each)
         return RL_OK;
@@ -282,12 +283,12 @@ static const struct rl_record *largest_exhaustive(const struct costs *k)
 
 static int claim_exhaustive(const struct costs *k)
 {
-    struct rl_claim *c = rl_judging_claim(
-        &k->measured, "paper: every texel at every pixel is no way to real time: exhaustive takes more than "
-                      "1/24 s a frame even at the small size measured");
+    struct rl_claim *c =
+        begin_claim(k, "exhaustive",
+                    "paper: every texel at every pixel is no way to real time: exhaustive takes more than "
+                    "1/24 s a frame even at the small size measured");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "exhaustive";
     const struct rl_record *r = largest_exhaustive(k);
     const struct rl_metric *ms = r ? rl_record_metric(r, "frame_ms") : NULL;
     if (!ms)
@@ -303,12 +304,12 @@ static int claim_exhaustive(const struct costs *k)
 /* At the size of Table 1 by the model alone: texel-normals grow with the pixels and with the map's texels. */
 static int claim_extrapolated(const struct costs *k)
 {
-    struct rl_claim *c = rl_judging_claim(
-        &k->measured, "ours: by its model, not measured: exhaustive at 640x480 with a map of 256 takes more "
-                      "than 1/24 s a frame");
+    struct rl_claim *c =
+        begin_claim(k, "exhaustive",
+                    "ours: by its model, not measured: exhaustive at 640x480 with a map of 256 takes more "
+                    "than 1/24 s a frame");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "exhaustive";
     const struct rl_record *r = largest_exhaustive(k);
     const struct rl_metric *a = model_metric(k, "exhaustive", "constant_ms");
     const struct rl_metric *b = model_metric(k, "exhaustive", "per_drawn_pixel_ns");
@@ -336,9 +337,9 @@ static int judge_scene(const struct costs *k)
 {
     int status = claim_fits(k);
     if (status == RL_OK)
-        status =
-            claim_ratio(k, "ours: a normal of the fixed pattern costs no more than one from the normal map",
-                        "regular-pixels", "random-pixels", "per_sample_ns", 1.0, "times");
+        status = claim_ratio(k, "scaling",
+                             "ours: a normal of the fixed pattern costs no more than one from the normal map",
+                             "regular-pixels", "random-pixels", "per_sample_ns", 1.0, "times");
     if (status == RL_OK)
         status = claim_reach(k, "random-4",
                              "paper: in real time: random 4 keeps to 24 frames/s at every size measured");
@@ -350,7 +351,7 @@ static int judge_scene(const struct costs *k)
     if (status == RL_OK)
         status = claim_maps_of_objects(k);
     if (status == RL_OK)
-        status = claim_ratio(k,
+        status = claim_ratio(k, "objects",
                              "ours: an object more, of as many pixels together, adds to the highlight's time "
                              "what drawing it once more takes, and no more (to within a quarter)",
                              "objects-frame", "objects-none", "per_object_us", 1.25, "times");

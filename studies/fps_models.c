@@ -4,6 +4,7 @@
  * rounds at a time: arms of a round share its slow spells (measure/fit.h). */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "measure/fit.h"
@@ -248,16 +249,40 @@ static int add_model(struct rl_run *out, const struct model *m, const struct rl_
                            : status;
 }
 
-int rl_fps_derive(struct rl_run *out, const struct rl_run *run, struct rl_error *error)
+void rl_fps_read_cases(const struct rl_run *run, const char *scene, const char *model)
 {
-    *out = (struct rl_run){.provenance = run->provenance};
-    memcpy(out->study, run->study, sizeof out->study);
-    memcpy(out->grid, run->grid, sizeof out->grid);
+    struct cases c;
+    for (size_t m = 0; m < sizeof models / sizeof models[0]; m++)
+        if (strcmp(models[m].name, model) == 0)
+            collect(&c, &models[m], run, scene);
+}
+
+static int add_models(struct rl_run *out, const struct rl_run *run, struct rl_error *error)
+{
     int status = RL_OK;
     const char *scene;
     for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++)
         for (size_t m = 0; m < sizeof models / sizeof models[0] && status == RL_OK; m++)
             status = add_model(out, &models[m], run, scene, error);
+    return status;
+}
+
+int rl_fps_derive(struct rl_run *out, const struct rl_run *run, struct rl_error *error)
+{
+    *out = (struct rl_run){.provenance = run->provenance};
+    memcpy(out->study, run->study, sizeof out->study);
+    memcpy(out->grid, run->grid, sizeof out->grid);
+    /* To fit all models at once is not to read for a claim: the one begun last would come from all cases. */
+    struct rl_run unseen = *run;
+    unseen.record = malloc((run->n_records + 1) * sizeof *unseen.record);
+    if (!unseen.record)
+        return rl_fail_memory(error, "the cases of cost models");
+    for (size_t i = 0; i < run->n_records; i++) {
+        unseen.record[i] = run->record[i];
+        unseen.record[i].mark = NULL;
+    }
+    int status = add_models(out, &unseen, error);
+    free(unseen.record);
     if (status != RL_OK)
         rl_run_clear(out);
     return status;

@@ -251,6 +251,14 @@ static void test_prices_flip(void **state)
     p.frame = 40.5; /* 320x240 takes a frame of 24 a second, nearly */
     p.jitter = 0.05;
     assert_int_equal(priced(p, reach).verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_string_equal(priced(p, reach).unit, "frames/s");
+    /* 640x480 for certain, 1920x1080 perhaps. */
+    p = usual_prices;
+    p.per_sample = 0.0;
+    p.frame = 41.66 - p.per_pixel * 1920 * 1080 - p.pass - p.per_drawn * 1920 * 360;
+    c = priced(p, reach);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+    assert_true(c.value == 640.0 * 480.0 && c.low == c.value && c.high == INFINITY);
 
     static const char lookup[] = "the largest environment map measured";
     p = usual_prices;
@@ -304,12 +312,53 @@ static void test_prices_flip(void **state)
     assert_int_equal(priced(p, precise).verdict, RL_VERDICT_FAILS);
 }
 
+static size_t cases_of(const struct rl_run *run, const char *pattern)
+{
+    size_t n = 0;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, pattern));)
+        n++;
+    return n;
+}
+
+/* A claim comes from the cases that its model was fitted to, and not from those of others. */
+static void test_cases(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *words, *pattern[2];
+    } rows[] = {
+        {"the frame without highlight takes a + b x pixels", {"series=size arm=none"}},
+        {"plain adds to it is a + b x pixels", {"series=size arm=plain", "series=size arm=none"}},
+        {"baking normal maps takes a + b x roughnesses", {"series=maps arm=normal-maps"}},
+        {"drawing the environment maps takes a + b x objects", {"series=objects arm=environment"}},
+        {"exhaustive takes a + b x pixels + c x texel-normals", {"series=exhaustive arm=exhaustive"}},
+        {"normal map of one more roughness is made", {"series=maps arm=normal-maps"}},
+        {"drawing the environment map anew costs less",
+         {"series=table1 arm=environment", "series=table1 arm=random-4"}},
+    };
+    struct rl_run run = {.study = "fps", .grid = "default"};
+    measure_made_up(&run, &usual_prices);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        size_t expected = cases_of(&run, rows[i].pattern[0]),
+               found = claim_of("fps", &run, rows[i].words).n_cases;
+        if (rows[i].pattern[1])
+            expected += cases_of(&run, rows[i].pattern[1]);
+        /* What two equal arms differ by was read for all of the scene's claims. */
+        expected += cases_of(&run, "series=table1 arm=random-4-again");
+        expected += strstr(rows[i].words, "anew") ? 0 : cases_of(&run, "series=table1 arm=random-4");
+        if (found != expected)
+            fail_msg("'%s' comes from %zu cases, expected %zu", rows[i].words, found, expected);
+    }
+    rl_run_clear(&run);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_models),
         cmocka_unit_test(test_costs_flip),
         cmocka_unit_test(test_prices_flip),
+        cmocka_unit_test(test_cases),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
