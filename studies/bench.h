@@ -67,7 +67,8 @@ int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struc
 
 /* The reference image for a case: from memory, from the cache, or computed and then kept in both. What determines it, the
  * program included, is its key. A `frame` counts only beside method=reference: else the truth is orthonormal. The image belongs to the bench and is valid until the next call for the same `from`. From the object's centre
- * (RL_LIGHT_FROM_OBJECT) lights are seen as environment maps see them: truth but for their parallax. */
+ * (RL_LIGHT_FROM_OBJECT) lights are seen as environment maps see them: truth but for their parallax. RL_ERR_INPUT: it shows
+ * nothing but background. */
 int rl_bench_reference(const struct rl_image **image, struct rl_bench *bench, const struct rl_scene *scene,
                        const char *parameters, enum rl_light_from from, struct rl_error *error);
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/paths.h"
+#include "studies/scene_check.h"
 
 int rl_study_scene_load(struct rl_scene *scene, const char *name, struct rl_error *error)
 {
@@ -92,6 +93,9 @@ static int plan_scene(struct rl_planned *p, const char *path, enum rl_grid grid,
     if (status != RL_OK)
         return status;
     p->n_scenes++;
+    status = rl_scene_check(scene, error);
+    if (status != RL_OK)
+        return status;
     char name[RL_NAME_MAX];
     scene_name(name, path);
     if (strcmp(name, RL_NO_SCENE) == 0)

@@ -11,6 +11,7 @@
 #include "results/record.h"
 #include "results/stamp.h"
 #include "studies/bench.h"
+#include "studies/scene_check.h"
 
 /* Everything that the reference of these settings depends on, as text, and its hash. */
 static uint64_t make_key(const struct rl_bench *bench, const struct rl_scene *scene,
@@ -65,6 +66,8 @@ static int find(struct rl_image *image, struct rl_bench *bench, const struct rl_
     int status = rl_directory_create(bench->cache, error);
     if (status == RL_OK)
         status = compute(image, bench, scene, settings, error);
+    if (status == RL_OK)
+        status = rl_foreground_check(image, error);
     struct rl_write_report report;
     if (status == RL_OK)
         status = rl_image_write(image, path, &report, error);
