@@ -24,7 +24,7 @@ static const struct rl_metric *find(const struct rl_judging *j, const char *what
     return rl_judging_metric(j, pattern, metric);
 }
 
-/* A metric that is small beside the noise and beside 1/255. Where the highlight has no noise, the first says nothing. */
+/* A metric that is small beside the noise and beside 1/255. Where there is no noise, nothing is said. */
 struct smallness {
     const char *text, *figure, *what, *metric, *of_noise; /* of_noise NULL: not asked for */
 };
@@ -52,7 +52,7 @@ static int claim_small(const struct rl_judging *j, const double *rr, size_t n, c
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, s->what, rr[i], s->metric);
         const struct rl_metric *of_noise = s->of_noise ? find(j, s->what, rr[i], s->of_noise) : NULL;
-        if (m && (of_noise || !s->of_noise))
+        if (m && (!s->of_noise || (of_noise && !isnan(of_noise->value))))
             step[i] = small_step(rr[i], m, of_noise);
     }
     rl_judging_conclude(c, step, n, s->of_noise ? "of what is allowed" : "RMS");

@@ -54,9 +54,11 @@ static struct rl_interval root(double value, double low, double high)
     return (struct rl_interval){rl_root(value), rl_root(low), rl_root(high)};
 }
 
-/* The worst of both ends. */
+/* The worst of both ends; NaN beside nothing. */
 static struct rl_interval divide(struct rl_interval a, struct rl_interval b)
 {
+    if (!(b.value > 0.0))
+        return (struct rl_interval){NAN, NAN, NAN};
     return (struct rl_interval){a.value / b.value, a.low / b.high, b.low > 0.0 ? a.high / b.low : INFINITY};
 }
 

@@ -150,7 +150,7 @@ static int add_shares(struct rl_record *records, const struct errors *e, size_t 
         if (i == all || is_arm(&records[i], "base"))
             continue;
         for (size_t k = 0; k < e[i].n; k++)
-            share[k] = sum[k] > 0.0 ? e[i].mse[k] / sum[k] : 0.0;
+            share[k] = sum[k] > 0.0 ? e[i].mse[k] / sum[k] : NAN; /* of no error no share */
         status = add(&records[i], "share", rl_mean_interval(share, e[i].n, 0.95), error);
     }
     if (status != RL_OK || all == n)
@@ -158,7 +158,7 @@ static int add_shares(struct rl_record *records, const struct errors *e, size_t 
     double left[RL_SEEDS_MAX], part[RL_SEEDS_MAX];
     for (size_t k = 0; k < e[all].n; k++) {
         left[k] = e[all].mse[k] - sum[k];
-        part[k] = e[all].mse[k] > 0.0 ? left[k] / e[all].mse[k] : 0.0;
+        part[k] = e[all].mse[k] > 0.0 ? left[k] / e[all].mse[k] : NAN;
     }
     status = add(&records[all], "interaction", rl_mean_interval(left, e[all].n, 0.95), error);
     if (status == RL_OK)

@@ -156,6 +156,10 @@ void rl_judging_note(struct rl_claim *c, double rr, double value)
 void rl_judging_ratio(struct rl_claim *c, const struct rl_metric *a, const struct rl_metric *b,
                       const char *unit)
 {
+    if (!(b->value > 0.0)) {
+        rl_claim_value(c, NAN, NAN, NAN, unit);
+        return;
+    }
     rl_claim_value(c, a->value / b->value, a->low / b->high, b->low > 0.0 ? a->high / b->low : INFINITY,
                    unit);
 }

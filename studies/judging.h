@@ -69,7 +69,7 @@ void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdic
 /* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */
 void rl_judging_note(struct rl_claim *c, double rr, double value);
 
-/* a / b as the claim's value, their intervals taken for independent: the worst of both ends. */
+/* a / b as the claim's value, their intervals taken for independent: the worst of both ends; NaN beside nothing. */
 void rl_judging_ratio(struct rl_claim *c, const struct rl_metric *a, const struct rl_metric *b,
                       const char *unit);
 

@@ -7,7 +7,7 @@
 
 double rl_root(double x)
 {
-    return sqrt(fmax(x, 0.0));
+    return isnan(x) ? x : sqrt(fmax(x, 0.0)); /* fmax would make 0 of NaN */
 }
 
 static int check_number(double n, struct rl_error *error)

@@ -118,6 +118,12 @@ static void verdicts_follow_from_rows(void **state)
     w.spread = 1000.0;
     assert_int_equal(VERDICT(w, eight), RL_VERDICT_INCONCLUSIVE);
 
+    /* Beside no noise nothing is said, be the bias below 1/255 or not. */
+    w = usual;
+    w.noise = NAN;
+    assert_int_equal(VERDICT(w, eight), RL_VERDICT_INCONCLUSIVE);
+    assert_true(isnan(claim_in(w, eight).value));
+
     w = usual;
     static const char pattern[] = "13 regular normals rounded to 8 bits",
                       less[] = "8 bits harm random normals less";

@@ -109,12 +109,40 @@ static void own_numbers(void **state)
     assert_true(concluded("uhhhh", own).value == 10.0);
 }
 
+/* Beside nothing nothing is small or large. */
+static void ratios(void **state)
+{
+    (void)state;
+    static const struct {
+        struct rl_metric a, b;
+        double value, low, high;
+    } rows[] = {
+        {{.value = 2, .low = 1, .high = 3}, {.value = 4, .low = 2, .high = 5}, 0.5, 0.2, 1.5},
+        {{.value = 2, .low = 1, .high = 3}, {.value = 4, .low = 0, .high = 5}, 0.5, 0.2, INFINITY},
+        {{.value = 0, .low = 0, .high = 0}, {.value = 4, .low = 2, .high = 5}, 0.0, 0.0, 0.0},
+        {{.value = 2, .low = 1, .high = 3}, {.value = 0, .low = 0, .high = 0}, NAN, NAN, NAN},
+        {{.value = 0, .low = 0, .high = 0}, {.value = 0, .low = 0, .high = 0}, NAN, NAN, NAN},
+        {{.value = 0, .low = 0, .high = 0}, {.value = 0, .low = 0, .high = 5}, NAN, NAN, NAN},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_claim c = fresh;
+        rl_judging_ratio(&c, &rows[i].a, &rows[i].b, "times");
+        const double found[] = {c.value, c.low, c.high};
+        const double expected[] = {rows[i].value, rows[i].low, rows[i].high};
+        for (int k = 0; k < 3; k++)
+            if (isnan(expected[k]) ? !isnan(found[k]) : found[k] != expected[k])
+                fail_msg("row %zu: [%d] is %g, expected %g", i, k, found[k], expected[k]);
+        assert_string_equal(c.unit, "times");
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_number_carries_the_verdict),
         cmocka_unit_test(nothing_measured_says_nothing),
         cmocka_unit_test(own_numbers),
+        cmocka_unit_test(ratios),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
