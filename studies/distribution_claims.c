@@ -59,8 +59,49 @@ static int claim_inverse(const struct view *v)
     snprintf(c->note, sizeof c->note, "smallest p %.2g, %.2g by Sidak over the run's %g tests", smallest,
              rl_sidak_p(smallest, v->n_tests), v->n_tests);
     c->verdict = rl_verdict_at_most(c->low, c->high, cdf_bound);
-    if (smallest < rl_sidak_level(RL_DISTRIBUTION_LEVEL, v->n_tests))
+    if (smallest < rl_sidak_level(RL_DISTRIBUTION_LEVEL, v->n_tests)) {
+        double corrected = rl_sidak_p(smallest, v->n_tests);
         c->verdict = RL_VERDICT_FAILS;
+        rl_claim_value(c, corrected, corrected, corrected, "p, Sidak");
+    }
+    return RL_OK;
+}
+
+/* The chance that a mean without any lean of its own is as long: its two components are normal, of one standard error at most, which
+ * the interval's half width holds 2.448 times. */
+static double lean_p(const struct rl_metric *mean_tilt)
+{
+    double errors = 2.448 * mean_tilt->value / (mean_tilt->high - mean_tilt->value);
+    return exp(-0.5 * errors * errors);
+}
+
+/* The mean direction of what was drawn, before storing turns it. */
+static int claim_lean(const struct view *v)
+{
+    struct rl_claim *c =
+        rl_judging_claim(&v->j, "ours: the normals drawn do not lean: their mean direction is that of D, N, "
+                                "at every R_r (float maps, at 1 % over all R_r)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "tilt";
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, v->rr, v->n_rr);
+    double largest = NAN;
+    for (size_t i = 0; i < v->n_rr; i++) {
+        const struct rl_record *r = largest_map(v, "float", v->rr[i]);
+        const struct rl_metric *m = r ? rl_record_metric(r, "mean_tilt") : NULL;
+        if (!m)
+            continue;
+        double p = rl_sidak_p(lean_p(m), (double)v->n_rr);
+        step[i] = (struct rl_step){v->rr[i], p, p, p,
+                                   p >= RL_DISTRIBUTION_LEVEL ? RL_VERDICT_HOLDS : RL_VERDICT_FAILS};
+        largest = fmax(largest, m->value);
+        if (!(p >= c->value))
+            rl_claim_value(c, p, p, p, "p, Sidak");
+    }
+    if (!isnan(largest))
+        snprintf(c->note, sizeof c->note, "largest %.2g rad", largest);
+    rl_judging_conclude(c, step, v->n_rr, "p, Sidak");
     return RL_OK;
 }
 
@@ -267,6 +308,8 @@ int rl_distribution_judge(struct rl_claims *claims, const struct rl_run *run, st
     for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, RL_NO_SCENE, "series=map"));)
         v.n_tests += 2.0;
     int status = claim_inverse(&v);
+    if (status == RL_OK)
+        status = claim_lean(&v);
     if (status == RL_OK)
         status =
             claim_cdf(&v, "8",

@@ -23,6 +23,7 @@ struct world {
     double tilt_8;
     double share, bias, noise; /* restarted generator's share, baked map's bias and noise over the hash's */
     double spread;             /* half width of intervals */
+    double lean;               /* the float maps' mean direction off N, over the half width of its interval */
 };
 
 static const struct world usual = {.p_float = 0.3,
@@ -34,7 +35,8 @@ static const struct world usual = {.p_float = 0.3,
                                    .share = 1.0,
                                    .bias = 0.0005,
                                    .noise = 1.0,
-                                   .spread = 0.002};
+                                   .spread = 0.002,
+                                   .lean = 0.5};
 
 static void metric(struct rl_record *r, const char *name, double value, double spread)
 {
@@ -54,6 +56,7 @@ static void add_map(struct rl_run *run, const struct world *w, double rr, const 
     metric(r, "kolmogorov", float_map ? w->far_float : eight ? (near_8 ? 0.005 : 0.1) : w->far_16, w->spread);
     metric(r, "width", eight && !near_8 ? 1.5 : 1.0, w->spread);
     double median = rl_ellipsoid_inverse(&e, 0.75).delta;
+    metric(r, "mean_tilt", 1e-3 * (float_map ? w->lean : 10.0), 1e-3);
     metric(r, "tilt", eight ? w->tilt_8 : (rr <= w->reach_half ? 0.001 : 0.02) * median, 1e-9);
 }
 
@@ -99,7 +102,8 @@ static void verdicts_flip(void **state)
                       cdf_16[] = "the cdf of a 16-bit", chi_8[] = "an 8-bit map's normals pass",
                       tilt_8[] = "8 bits do not tilt", tilt_half[] = "half floats",
                       width[] = "the lobe that an 8-bit map holds", restarted[] = "restarted at every pixel",
-                      baked[] = "baked into a map serve", hash[] = "as noisy as those of a hash";
+                      baked[] = "baked into a map serve", lean[] = "do not lean",
+                      hash[] = "as noisy as those of a hash";
     static const struct {
         const char *words;
         size_t field;
@@ -125,6 +129,11 @@ static void verdicts_flip(void **state)
         {tilt_half, offsetof(struct world, reach_half), 1e4, RL_VERDICT_HOLDS},
         {width, offsetof(struct world, reach_8), 10.0, RL_VERDICT_HOLDS_UP_TO},
         {width, offsetof(struct world, reach_8), 0.5, RL_VERDICT_FAILS},
+        {lean, offsetof(struct world, lean), 0.0, RL_VERDICT_HOLDS},
+        {lean, offsetof(struct world, lean), 0.5, RL_VERDICT_HOLDS},
+        {lean, offsetof(struct world, lean), 1.3,
+         RL_VERDICT_HOLDS}, /* p = exp(-(2.448 x 1.3)^2/2) = 0.006, of 4 */
+        {lean, offsetof(struct world, lean), 1.5, RL_VERDICT_FAILS}, /* 0.0012 */
         {restarted, offsetof(struct world, share), 1.0, RL_VERDICT_HOLDS},
         {restarted, offsetof(struct world, share), 0.5, RL_VERDICT_FAILS},
         {baked, offsetof(struct world, bias), 0.0005, RL_VERDICT_HOLDS},
@@ -142,8 +151,20 @@ static void verdicts_flip(void **state)
                      rl_verdict_name(rows[i].verdict));
         assert_string_equal(c.command, "roughlight study run distribution");
     }
-    check_near(judge(usual, cdf_8).value, 10.0, 0.0);
-    check_near(judge(usual, tilt_half).value, 300.0, 0.0);
+    /* The limit lies between the last R_r that holds and the first that fails. */
+    static const char *const along[] = {cdf_8, chi_8, width};
+    for (size_t i = 0; i < 3; i++) {
+        struct rl_claim c = judge(usual, along[i]);
+        assert_true(c.value == 10.0 && c.low == 10.0 && c.high == 300.0);
+        assert_string_equal(c.unit, "R_r and rougher");
+    }
+    struct rl_claim half = judge(usual, tilt_half);
+    assert_true(half.value == 300.0 && half.low == 300.0 && half.high == 1000.0);
+    check_near(judge(usual, lean).value, 1.0 - pow(1.0 - exp(-0.5 * 1.224 * 1.224), 4.0), 1e-12);
+    /* Where float maps fail by chi-square alone, it is that which is shown. */
+    struct world w = usual;
+    w.p_float = 1e-4;
+    check_near(judge(w, inverse).value, 1.0 - pow(1.0 - 1e-4, 32.0), 1e-12);
     check_near(judge(usual, baked).value, 0.0005, 1e-15);
 }
 
@@ -157,7 +178,7 @@ static void nothing_measured(void **state)
     for (size_t i = 0; i < run.n_records; i++)
         run.record[i].status = RL_RECORD_FAILED;
     assert_int_equal(rl_study_find("distribution")->judge(&claims, &run, NULL), RL_OK);
-    assert_int_equal(claims.n, 11);
+    assert_int_equal(claims.n, 12);
     for (size_t i = 0; i < claims.n; i++)
         assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
     rl_claims_clear(&claims);
