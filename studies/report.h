@@ -1,7 +1,7 @@
 /* From the database to tables and the report page.
  *
  * The latest run of every study is what counts. Exports: NAME.tsv for each table of each study, frame_times.tsv with every raw
- * sample, claims.tsv with every verdict; the same with .json. The report is a folder with index.html, the tables, the plots as SVG
+ * sample, provenance.tsv with what measured them, claims.tsv with every verdict; the same with .json. The report is a folder with index.html, the tables, the plots as SVG
  * and PNG, and the pictures; nothing in it refers to anything outside.
  */
 #ifndef RL_STUDIES_REPORT_H

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/files.h"
 #include "results/database.h"
@@ -103,6 +104,52 @@ static void export_spent(struct rl_buffer *out, const struct rl_run *runs, size_
     rl_export_end(&t);
 }
 
+static void export_origin(struct rl_export *t, const struct rl_provenance *p)
+{
+    const char *const text[] = {p->version, p->commit, p->dirty ? "1" : "0", p->code_hash, p->compiler,
+                                p->cflags,  p->cpu,    p->backend,           p->renderer,  p->gl_version,
+                                p->os};
+    for (size_t i = 0; i < sizeof text / sizeof text[0]; i++)
+        rl_export_text(t, text[i]);
+    rl_export_number(t, p->threads);
+}
+
+static const char *hash_of(const struct rl_run *run, const char *scene)
+{
+    size_t i = 0;
+    while (strcmp(run->record[i].scene, scene) != 0)
+        i++;
+    return run->record[i].scene_hash;
+}
+
+/* What measured each study's cases of each scene. */
+static void export_provenance(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
+                              enum rl_export_format format)
+{
+    static const char *const column[] = {"study",      "scene",   "scene_hash", "grid",    "started",
+                                         "measured",   "version", "commit",     "dirty",   "code_hash",
+                                         "compiler",   "cflags",  "cpu",        "backend", "renderer",
+                                         "gl_version", "os",      "threads"};
+    struct rl_export t;
+    rl_export_begin(&t, out, format, column, sizeof column / sizeof column[0]);
+    for (size_t k = 0; k < n_runs; k++) {
+        const char *scene;
+        for (size_t i = 0; (scene = rl_run_scene(&runs[k], i)); i++) {
+            size_t measured = 0;
+            for (const struct rl_record *r = NULL; (r = rl_run_next(&runs[k], r, scene, ""));)
+                measured++;
+            rl_export_text(&t, runs[k].study);
+            rl_export_text(&t, scene);
+            rl_export_text(&t, hash_of(&runs[k], scene));
+            rl_export_text(&t, runs[k].grid);
+            rl_export_text(&t, runs[k].started);
+            rl_export_number(&t, (double)measured);
+            export_origin(&t, &runs[k].provenance);
+        }
+    }
+    rl_export_end(&t);
+}
+
 int rl_report_export(const struct rl_report_data *data, const char *folder, enum rl_export_format format,
                      struct rl_error *error)
 {
@@ -122,6 +169,10 @@ int rl_report_export(const struct rl_report_data *data, const char *folder, enum
     if (status == RL_OK) {
         export_spent(&text, data->run, rl_n_studies, format);
         status = write_table(&text, folder, "spent", format, error);
+    }
+    if (status == RL_OK) {
+        export_provenance(&text, data->run, rl_n_studies, format);
+        status = write_table(&text, folder, "provenance", format, error);
     }
     if (status == RL_OK) {
         rl_claims_export(&text, &data->claims, format);

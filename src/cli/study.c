@@ -140,6 +140,12 @@ static void print_tables(void)
     static const struct rl_column spent[] = {
         {.name = "study"},       {.name = "scene"},   {.name = "parameters"},  {.name = "measured_s"},
         {.name = "reference_s"}, {.name = "setup_s"}, {.name = "evaluation_s"}};
+    static const struct rl_column provenance[] = {
+        {.name = "study"},   {.name = "scene"},     {.name = "scene_hash"}, {.name = "grid"},
+        {.name = "started"}, {.name = "measured"},  {.name = "version"},    {.name = "commit"},
+        {.name = "dirty"},   {.name = "code_hash"}, {.name = "compiler"},   {.name = "cflags"},
+        {.name = "cpu"},     {.name = "backend"},   {.name = "renderer"},   {.name = "gl_version"},
+        {.name = "os"},      {.name = "threads"}};
     static const struct rl_column claims[] = {{.name = "claim"},  {.name = "verdict"}, {.name = "value"},
                                               {.name = "low"},    {.name = "high"},    {.name = "unit"},
                                               {.name = "study"},  {.name = "command"}, {.name = "scene"},
@@ -158,6 +164,8 @@ static void print_tables(void)
                   sizeof samples / sizeof samples[0], true);
     print_columns("spent", "where the time of every group of cases went, by its first case", spent,
                   sizeof spent / sizeof spent[0], false);
+    print_columns("provenance", "what measured the cases of each study and scene: program, machine, renderer",
+                  provenance, sizeof provenance / sizeof provenance[0], false);
     print_columns("claims", "every claim with its verdict and the command that reproduces it", claims,
                   sizeof claims / sizeof claims[0], false);
 }
@@ -224,8 +232,9 @@ const struct rl_command rl_command_study = {
         "  run      measure the studies named; cases that the database has already are not measured again\n"
         "  status   of each study's latest run and scene, how many cases are measured, failed (and why) and "
         "open\n"
-        "  export   a file for each study's table, for frame_times and for claims with their verdicts: .tsv, "
-        ".json or .csv\n"
+        "  export   a file for each study's table, for frame_times, for provenance and for claims with their "
+        "verdicts: .tsv,\n"
+        "           .json or .csv\n"
         "  merge    put the results of other databases into INTO; nothing measured there is replaced, "
         "nothing is copied twice\n"
         "  report   the page with verdicts, pictures, plots and tables\n"

@@ -136,7 +136,17 @@ check "raw frame times" [ "$(wc -l <"$tmp/tables/frame_times.tsv")" -gt 120 ]
 for column in rmse rmse_low rmse_high noise floor bias relmse max frame_ms samples rr env_size_px scene_hash; do
     check "samples.tsv has a column $column" [ -n "$(column $column "$tmp/tables/samples.tsv" | head -n 1)" ]
 done
-for table in claims samples fps fps_models accuracy_points frame_times; do
+check "what measured them, a row each study and scene" [ "$(column study "$tmp/tables/provenance.tsv" | sort -u | tr '\n' ' ')" = \
+    "accuracy fps samples " -a "$(($(wc -l <"$tmp/tables/provenance.tsv") - 1))" -eq \
+    "$("$rl" study status --db "$db" | awk -F "$tab" 'NR > 1 && $5 > 0' | wc -l)" ]
+for column in scene_hash version commit dirty compiler cflags cpu backend renderer gl_version threads; do
+    check "with a column $column, filled" [ -n "$(column $column "$tmp/tables/provenance.tsv")" -a \
+        -z "$(column $column "$tmp/tables/provenance.tsv" | grep -x '')" ]
+done
+"$rl" study status --db "$db" >"$tmp/status.tsv"
+check "and with the renderer that status names" [ "$(column renderer "$tmp/tables/provenance.tsv" | sort -u)" = \
+    "$(column renderer "$tmp/status.tsv" | grep . | sort -u)" ]
+for table in claims samples fps fps_models accuracy_points frame_times provenance; do
     check "$table.json is an array of objects" [ "$(head -c 5 "$tmp/tables/$table.json" | tr -d '\n')" = "[  {" ]
 done
 
