@@ -24,7 +24,7 @@ struct block {
 struct grid {
     int width, height, seeds; /* seeds: of the floor */
     double tolerance;
-    struct block block[4]; /* one without samples ends the list */
+    struct block block[5]; /* one without samples ends the list */
     int fine_env, floor_env[12], floor_samples;
 };
 
@@ -49,7 +49,8 @@ static const struct grid grids[] = {
                          .seeds = 16,
                          .tolerance = 1e-4,
                          .block = {{false, {3}, {1, 2, 4, 8, 13, 16, 32, 64, 256}, 64, 16, 0},
-                                   {false, {300}, {1, 2, 4, 8, 13, 16, 32, 64, 256}, 64, 48, 0},
+                                   {false, {300}, {1, 2, 4, 8, 13, 16, 32, 64}, 64, 48, 0},
+                                   {false, {300}, {256}, 64, 16, 0},
                                    {false, {30}, {1, 2, 3, 4, 5, 8, 13, 16, 32, 64, 256, 1024}, 64, 16, 30},
                                    {true, {30}, {1, 4, 16, 64, 256}, 64, 16, 0}},
                          .fine_env = 1024,
