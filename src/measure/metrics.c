@@ -10,6 +10,8 @@
 
 #define LEVEL 0.95
 #define RELATIVE_OFFSET 0.01 /* keeps relMSE finite where the reference is black */
+#define RULE_OF_THREE 3.0 /* an event that K draws do not show has, at 95 %, a probability of at most 3/K */
+#define SAME 1e-6 /* share of the squares that rounding of floats may leave where values are the same */
 
 /* Where an image keeps what is compared. */
 struct layout {
@@ -191,9 +193,9 @@ int rl_error_image(struct rl_image *out, const struct rl_image *image, const str
 /* ---- Bias and variance ---- */
 
 /* Sums over the foreground's values, a value being one colour channel of one pixel: of the two estimates, and of what they
- * would be without seed j. */
+ * would be without seed j; and of what the jackknife cannot see of the squared bias (rl_bias_variance). */
 struct estimate {
-    struct rl_sum bias2, variance;
+    struct rl_sum bias2, variance, unseen;
 };
 
 /* The images' layouts beside the images themselves. */
@@ -211,6 +213,17 @@ static void add_value(struct estimate *e, double deviation, double squares, doub
     double variance = squares / (n - 1.0);
     rl_sum_add(&e->variance, variance);
     rl_sum_add(&e->bias2, deviation * deviation - variance / n);
+}
+
+/* All seeds but one have the same value, and that one is off by D. Other seeds would be off too, with a probability p of which
+ * one event in K says little: the expected value is wrong by p D, (p D)^2 of bias^2, whose unbiased estimate from one event is zero,
+ * as is each without one of the seeds. With p <= 3/K, and D^2/K for the mean of the squares p D^2: 3/K x D^2/K. Summed
+ * over pixels the latter is unbiased however rare the events are. Of the seed's own deviation d and the squares: D = d K/(K - 1). */
+static void add_unseen(struct estimate *e, double d, double squares, double K)
+{
+    double D = d * K / (K - 1.0);
+    if (squares > 0.0 && squares - d * d * K / (K - 1.0) <= SAME * squares)
+        rl_sum_add(&e->unseen, RULE_OF_THREE * D * D / (K * K));
 }
 
 /* One pixel. Without v_j the mean is mean - d_j/(K - 1), d_j = v_j - mean, and the squared deviations lose d_j^2 K/(K - 1). */
@@ -232,6 +245,7 @@ static void add_seeds(struct estimate *all, struct estimate *without, const stru
         for (size_t k = 0; k < s->n && s->n > 2; k++) {
             double d = pixel_at(s->image[k], pixel)[s->layout[k].colour[c]] - mean;
             add_value(&without[k], mean - d / (K - 1.0) - r, squares - d * d * K / (K - 1.0), K - 1.0);
+            add_unseen(all, d, squares, K);
         }
     }
 }
@@ -288,7 +302,7 @@ static int split(struct rl_bias_variance *out, const struct seeds *s, struct est
         return rl_fail(error, RL_ERR_INPUT, "nothing to compare: no pixel with alpha >= 1/2 in all images");
     for (size_t k = 0; k < s->n; k++)
         values[k] = rl_sum_value(&without[k].bias2) / n;
-    double bias2_half = jackknife(values, s->n);
+    double bias2_half = jackknife(values, s->n) + rl_sum_value(&all.unseen) / n;
     for (size_t k = 0; k < s->n; k++)
         values[k] = rl_sum_value(&without[k].variance) / n;
     double variance_half = jackknife(values, s->n);

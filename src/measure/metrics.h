@@ -35,7 +35,10 @@ int rl_metrics_compute(struct rl_metrics *metrics, const struct rl_image *image,
  * variance across k; bias^2 = mean over pixels of (mean_k v - r)^2 minus variance/K (unbiased, may come out
  * slightly negative); mse = bias^2 + variance, which is the mean over seeds of each one's own. The first two
  * have a 95 % interval by the jackknife over seeds: it says how far other seeds would move the figure for this
- * picture, however uneven the picture is and however its pixels depend on each other. Two seeds give infinite ones.
+ * picture, however uneven the picture is and however its pixels depend on each other. Two seeds give infinite ones. Where values
+ * differ in one seed and are the same in all others, the jackknife sees nothing: bias^2 has its interval widened by 3/K of
+ * what these values add to the mean square, since what one draw in K shows may be up to 3/K likely. Where no seed differs anywhere
+ * there is nothing to widen it by.
  *
  * The foreground is where the reference and all the images are covered. RL_ERR_INPUT: fewer than 2 images,
  * sizes or channels that differ, no foreground. RL_ERR_CHECK: values that are not finite. */

@@ -11,6 +11,7 @@
 
 #include "measure/metrics.h"
 #include "measure/noise.h"
+#include "model/random.h"
 #include "support/check.h"
 
 static struct rl_error error;
@@ -143,6 +144,59 @@ static void test_intervals_hold(void **state)
     repeat(40, 9, seed + 1);
 }
 
+/* Pictures that differ from the reference in few values, as those of two roundings do: by 1/16 with the probability p. Or in
+ * all: by 0.005 with Gaussian noise of 0.05. How often does the interval hold the expected bias^2? In every
+ * trial something differs: 2916 p K, the differences expected, is 7 or more. */
+static double coverage(size_t n_seeds, double p, int trials, uint64_t seed, double *mean_high)
+{
+    enum { SIDE = 54, PIXELS = SIDE * SIDE, MOST = 64 };
+    struct rl_image image[MOST] = {0}, reference = {0};
+    const struct rl_image *images[MOST];
+    const double truth = p > 0.0 ? pow(p / 16.0, 2.0) : 0.005 * 0.005;
+    uint64_t next = 0;
+    double holds = 0.0;
+    for (size_t k = 0; k < n_seeds; k++) {
+        make(&image[k], SIDE, SIDE, 1, NULL);
+        images[k] = &image[k];
+    }
+    make(&reference, SIDE, SIDE, 1, NULL);
+    *mean_high = 0.0;
+    for (int trial = 0; trial < trials; trial++) {
+        for (size_t k = 0; k < n_seeds; k++)
+            for (int i = 0; i < PIXELS; i++) {
+                double differs = rl_random_uniform(seed, next) < p ? 1.0 / 16.0 : 0.0;
+                image[k].data[i] = (float)(p > 0.0 ? differs : 0.005 + 0.05 * noise(seed, next));
+                next++;
+            }
+        struct rl_bias_variance s;
+        check_ok(rl_bias_variance_compute(&s, images, n_seeds, &reference, &error), &error);
+        holds += s.bias2_low <= truth && truth <= s.bias2_high;
+        *mean_high += s.bias2_high / truth / trials;
+    }
+    for (size_t k = 0; k < n_seeds; k++)
+        rl_image_clear(&image[k]);
+    rl_image_clear(&reference);
+    return holds / trials;
+}
+
+static void test_coverage(void **state)
+{
+    (void)state;
+    enum { TRIALS = 120, LONG_TRIALS = 40 };
+    const uint64_t seed = 20261125;
+    static const size_t seeds[] = {4, 8, 16, 64};
+    static const double p[] = {0.0, 0.0006, 0.005, 0.05};
+    printf("seed %llu\nK\tp (0: dense)\tcoverage\tmean upper end / truth\n", (unsigned long long)seed);
+    for (size_t i = 0; i < 4; i++)
+        for (size_t k = 0; k < 4; k++) {
+            int trials = seeds[i] == 64 ? LONG_TRIALS : TRIALS;
+            double high, holds = coverage(seeds[i], p[k], trials, seed + 4 * i + k, &high);
+            printf("%zu\t%g\t%.3f\t%.3g\n", seeds[i], p[k], holds, high);
+            /* Four standard deviations of a share of `trials` about 0.95. */
+            assert_true(holds > 0.95 - 4.0 * sqrt(0.95 * 0.05 / trials));
+        }
+}
+
 static void test_two_seeds_tell_nothing(void **state)
 {
     (void)state;
@@ -192,6 +246,7 @@ int main(void)
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_agrees_with_metrics),
         cmocka_unit_test(test_intervals_hold),
+        cmocka_unit_test(test_coverage),
         cmocka_unit_test(test_two_seeds_tell_nothing),
         cmocka_unit_test(test_what_cannot_be_split),
     };
