@@ -9,7 +9,8 @@
  *
  *     a = asin(r/d) + f + 2 e.
  *
- * f is how far the environment map's filter carries a texel, a texel's diagonal: 2 sqrt(2)/env_size. e is how far the normal
+ * f is how far the environment map carries a texel's middle, which saw the light, half of a texel's diagonal (the nearest
+ * texel is read, and the face is 2 wide at the distance 1): sqrt(2)/env_size. e is how far the normal
  * map's rounding may turn a normal, asin(sqrt(3) x the largest rounding of a component); L turns by twice that, and instead
  * of turning L the light is taken as larger. Let the angle from R to u be more than a + b.
  *
@@ -36,6 +37,9 @@
  * needed, d sin(asin(r/d) + b) = r cos b + sqrt(d^2 - r^2) sin b, grows with d: the object's farthest point decides. A point so
  * near that its angle passes a right one, d < r/cos b, lies within the sphere: r cos b + sqrt(d'^2 - r^2) sin b > r/cos b for any
  * d' > r/cos b.  (e > 0: r stands for d sin(asin(r/d) + 2 e) of the farthest point, which is no less than nearer ones need.)
+ *
+ * (5) Energy. What all the pixels skipped lose together is at most loss x radiance x their number. No bound relative to the
+ * highlight's whole energy follows: a camera that sees the lobe's tail alone may lose all of it, however little that is.
  *
  * All sizes of one margin are multiples of each light's own radius, so the largest one needed serves all. The printed tangent
  * frame only narrows the lobe along each line and loses less. A fixed pattern (regular) has its own sum in place of the
