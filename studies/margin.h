@@ -1,4 +1,4 @@
-/* Within the study `margin`: plan (margin.c), measuring (margin_measure.c, margin_loss.c) and claims (margin_claims.c). */
+/* Within the study `margin`: plan (margin.c), measuring (margin_measure.c, margin_loss.c, margin_power.c) and claims (margin_claims.c). */
 #ifndef RL_STUDIES_MARGIN_H
 #define RL_STUDIES_MARGIN_H
 
@@ -12,11 +12,19 @@
  * Metrics of all but off and again: spheres (1 if the plan has the pass), margin where it has; skipped, the share of the highlight
  * pass's pixels that it leaves out; missed, the share of the highlight's energy gone in frames of the same seeds, with
  * its interval over seeds, and worst, the most that a channel of a pixel loses in one of them; and of the integral itself, seen from
- * the object's centre, missed_exact, worst_exact and loss_exact, the mean over the pixels skipped. Losses are in units of the
- * brightest light's radiance. bound: what auto promises for worst_exact. from_rr: the R_r from which on auto has a
+ * the object's centre, missed_exact, worst_exact and loss_exact, the mean over the pixels skipped. Shares of a highlight that is
+ * not there (or, exactly, not above the tolerance) are not recorded. Losses are in units of the
+ * brightest light's radiance. bound: what auto promises for worst_exact; filled: what two
+ * lights made for it lose of that. from_rr: the R_r from which on auto has a
  * sphere. Of all where timed, and of an arm none without a highlight: what timing_arms.h adds, against that and against off. */
 int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                       const struct rl_scene *scene, struct rl_error *error);
+
+/* What two equal lights on opposite sides of R = N, just outside of their spheres, take together from the pixel, over `loss`; the size at
+ * which that is most. A light that is large beside the blur b meets each line at b/cos theta, and where the lobe's tail
+ * falls as 1/delta^2 half of the bound is lost: 0.5 to 0.62 for R_r and losses where the largest lights have a sphere. NaN where
+ * none has. */
+double rl_margin_filled(double rr, double loss);
 
 int rl_margin_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
 

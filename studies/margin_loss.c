@@ -116,7 +116,7 @@ static int add(struct rl_record *r, const char *name, double value, double low, 
     return rl_record_metric_add(r, name, value, low, high, "1", error);
 }
 
-/* One frame against that without the pass: the share of the highlight gone, and the most that a value lost. */
+/* One frame against that without the pass: the share of the highlight gone (NaN: there is none), and the most that a value lost. */
 static double missed_share(const struct rl_margin_truth *truth, const struct rl_image *off,
                            const struct rl_image *on, double *worst)
 {
@@ -129,19 +129,35 @@ static double missed_share(const struct rl_margin_truth *truth, const struct rl_
             rl_sum_add(&all, (double)off->data[c] - (double)truth->none.data[c]);
             *worst = fmax(*worst, l / truth->radiance);
         }
-    return rl_sum_value(&all) > 0.0 ? rl_sum_value(&lost) / rl_sum_value(&all) : 0.0;
+    return rl_sum_value(&all) > 0.0 ? rl_sum_value(&lost) / rl_sum_value(&all) : NAN;
 }
 
 static int add_frames(struct rl_record *r, const struct rl_seeds *on, const struct rl_margin_truth *truth,
                       struct rl_error *error)
 {
     double missed[RL_SEEDS_MAX], worst = 0.0;
-    for (size_t k = 0; k < on->n; k++)
+    bool lit = true;
+    for (size_t k = 0; k < on->n; k++) {
         missed[k] = missed_share(truth, &truth->off.image[k], &on->image[k], &worst);
+        lit = lit && !isnan(missed[k]);
+    }
     struct rl_interval m = on->n > 1 ? rl_mean_interval(missed, on->n, 0.95)
                                      : (struct rl_interval){missed[0], missed[0], missed[0]};
-    int status = add(r, "missed", m.value, fmax(m.low, 0.0), m.high, error);
+    int status = lit ? add(r, "missed", m.value, fmax(m.low, 0.0), m.high, error) : RL_OK;
     return status == RL_OK ? add(r, "worst", worst, worst, worst, error) : status;
+}
+
+/* The share of the highlight that is lost. Each value of both sums may be off by the tolerance. A highlight that the tolerance could
+ * have made has no share. */
+static int add_missed(struct rl_record *r, double lost, double kept, double lost_slack, double kept_slack,
+                      struct rl_error *error)
+{
+    if (!(lost + kept > lost_slack + kept_slack))
+        return RL_OK;
+    double most = lost + lost_slack, least = fmax(lost - lost_slack, 0.0),
+           rest = fmax(kept - kept_slack, 0.0);
+    return add(r, "missed_exact", lost / (lost + kept), least / (least + kept + kept_slack),
+               most / (most + rest), error);
 }
 
 /* The integral over the pixels that were skipped. */
@@ -149,13 +165,14 @@ static int add_exact(struct rl_record *r, const struct rl_image *drawn, const st
                      struct rl_error *error)
 {
     struct rl_sum lost = {0}, all = {0};
-    size_t n = (size_t)drawn->width * (size_t)drawn->height, shiny = 0, skipped = 0, compared = 0;
+    size_t n = (size_t)drawn->width * (size_t)drawn->height, shiny = 0, skipped = 0, compared = 0, known = 0;
     double worst = 0.0;
     for (size_t i = 0; i < n; i++) {
         const float *h = truth->highlight.data + 4 * i;
         bool out = truth->drawn.data[i] > 0.5f && drawn->data[i] < 0.5f;
         shiny += truth->drawn.data[i] > 0.5f;
         skipped += out;
+        known += h[3] > 0.5f;
         compared += out && h[3] > 0.5f;
         for (int c = 0; c < COLOURS; c++) {
             rl_sum_add(&all, (double)h[c]);
@@ -164,12 +181,13 @@ static int add_exact(struct rl_record *r, const struct rl_image *drawn, const st
         }
     }
     double share = shiny ? (double)skipped / (double)shiny : 0.0, total = rl_sum_value(&all);
-    double missed = total > 0.0 ? rl_sum_value(&lost) / total : 0.0;
+    double slack = COLOURS * truth->tolerance;
     double loss = compared ? rl_sum_value(&lost) / (COLOURS * (double)compared) / truth->radiance : 0.0;
     double t = skipped ? truth->tolerance : 0.0;
     int status = add(r, "skipped", share, share, share, error);
     if (status == RL_OK)
-        status = add(r, "missed_exact", missed, missed, missed, error);
+        status = add_missed(r, rl_sum_value(&lost), total - rl_sum_value(&lost), slack * (double)compared,
+                            slack * (double)(known - compared), error);
     if (status == RL_OK)
         status = add(r, "worst_exact", worst, fmax(0.0, worst - t), worst + t, error);
     return status == RL_OK ? add(r, "loss_exact", loss, fmax(0.0, loss - t), loss + t, error) : status;

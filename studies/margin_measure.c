@@ -81,6 +81,9 @@ static int add_plan(struct rl_record *r, const struct rl_scene *scene, const str
     double loss = is_auto ? RL_MARGIN_AUTO_LOSS : rl_parameter_number(r->parameters, "loss");
     if (status == RL_OK && !isnan(loss))
         status = add(r, "bound", loss, error);
+    double filled = isnan(loss) ? NAN : rl_margin_filled(rl_parameter_number(r->parameters, "rr"), loss);
+    if (status == RL_OK && isfinite(filled))
+        status = add(r, "filled", filled, error);
     double rr = is_auto ? first_rr(scene, plan) : NAN;
     return status == RL_OK && isfinite(rr) ? add(r, "from_rr", rr, error) : status;
 }

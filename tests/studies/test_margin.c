@@ -15,7 +15,8 @@ static const struct rl_place place = {"margin", "made-up", "made-up.yaml", 1};
 
 /* What a made-up world is like at R_r 300, 100 and 3, where auto has no sphere. */
 struct world {
-    double worst, other_worst;  /* of auto, and of the bound 0.1 */
+    double worst, other_worst; /* of auto, and of the bound 0.1 */
+    double loss, filled;
     double missed, missed_half; /* by auto and by the margin 0.5, at R_r 100 */
     double time, time_300, noise, cost;
 };
@@ -23,6 +24,8 @@ struct world {
 static const struct world usual = {
     .worst = 0.001,
     .other_worst = 0.01,
+    .loss = 0.0005,
+    .filled = 0.5,
     .missed = 0.002,
     .missed_half = 0.003,
     .time = 0.8,
@@ -52,11 +55,15 @@ static void add_rr(struct rl_run *run, const struct world *w, double rr, double 
     metric(r, "bound", 0.02, 0.0);
     metric(r, "from_rr", 20.0, 0.0);
     metric(r, "worst_exact", sphere ? w->worst : 0.0, 1e-4);
-    metric(r, "missed", sphere ? w->missed : 0.0, 1e-4);
+    metric(r, "loss_exact", sphere ? w->loss : 0.0, 1e-4);
+    metric(r, "filled", w->filled, 0.0);
+    if (!isnan(w->missed))
+        metric(r, "missed_exact", sphere ? w->missed : 0.0, 1e-4);
+    metric(r, "missed", 0.0, 0.0); /* of frames: decides nothing */
     metric(r, "time_to_off", sphere ? time : 1.0, 0.01);
     r = arm(run, "0.5", rr);
     metric(r, "spheres", 1.0, 0.0);
-    metric(r, "missed", rr > 10.0 ? w->missed_half : 0.2, 1e-4);
+    metric(r, "missed_exact", rr > 10.0 ? w->missed_half : 0.2, 1e-4);
     r = rl_run_add(run, &place, 1000 + (int)rr, NULL, "series=bound loss=0.1 rr=%g", rr);
     metric(r, "spheres", sphere, 0.0);
     metric(r, "bound", 0.1, 0.0);
@@ -102,6 +109,20 @@ static void test_flips(void **state)
         c.verdict, RL_VERDICT_FAILS); /* that nothing is missed at R_r 3, without a sphere, does not count */
     assert_true(c.value == 0.05);
 
+    w.missed = NAN; /* no highlight: no share of it */
+    assert_int_equal(judge(w, energy).verdict, RL_VERDICT_INCONCLUSIVE);
+
+    static const char loss[] = "bound x radiance x pixels skipped", filled[] = "as large as it must be";
+    w = usual;
+    assert_int_equal(judge(w, loss).verdict, RL_VERDICT_HOLDS);
+    w.loss = 0.03;
+    assert_int_equal(judge(w, loss).verdict, RL_VERDICT_FAILS);
+    assert_int_equal(judge(w, filled).verdict, RL_VERDICT_HOLDS);
+    w.filled = 0.9;
+    assert_int_equal(judge(w, filled).verdict, RL_VERDICT_FAILS);
+    w.filled = 0.3;
+    assert_int_equal(judge(w, filled).verdict, RL_VERDICT_FAILS);
+
     static const char half[] = "1.5 times as large";
     w = usual;
     c = judge(w, half);
@@ -140,7 +161,7 @@ static void test_missing(void **state)
     assert_int_equal(rl_study_find("margin")->plan(&run, &place, RL_GRID_QUICK, 0, NULL), RL_OK);
     struct rl_claims claims = {0};
     assert_int_equal(rl_study_find("margin")->judge(&claims, &run, NULL), RL_OK);
-    assert_true(claims.n == 6);
+    assert_true(claims.n == 8);
     for (size_t i = 0; i < claims.n; i++) {
         assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
         assert_true(isnan(claims.claim[i].value));
