@@ -73,10 +73,10 @@ static void test_turned(void **state)
 
 /* RMSE of a made-up world. */
 struct world {
-    double texels_256, slope, bits_8, parallax, parallax_slope, corner;
+    double texels_256, slope, bits_8, parallax, parallax_slope, corner, floor_256, floor_1024;
 };
 
-static const struct world usual = {0.001, -1.5, 0.0005, 0.03, 1.0, 0.01};
+static const struct world usual = {0.001, -1.5, 0.0005, 0.03, 1.0, 0.01, 0.002, 0.001};
 
 static struct rl_record *add(struct rl_run *run, const char *parameters, const char *name, double value)
 {
@@ -90,11 +90,13 @@ static void make(struct rl_run *run, const struct world *w)
 {
     char text[128];
     *run = (struct rl_run){.study = "environment", .grid = "default"};
-    add(run, "series=size base=1 env_size=1024", "floor_centre", 0.0);
+    add(run, "series=size base=1 env_size=1024", "floor_centre", w->floor_1024);
     for (int size = 16; size <= 512; size *= 2) {
         snprintf(text, sizeof text, "series=size base=0 env_size=%d", size);
         double e = w->texels_256 * pow(size / 256.0, w->slope);
         struct rl_record *r = add(run, text, "rmse_map", e);
+        double floor = w->floor_256 * 256.0 / size;
+        assert_int_equal(rl_record_metric_add(r, "floor_centre", floor, floor, floor, "1", NULL), RL_OK);
         /* The two largest are too near to the base to be believed. */
         double seen = size == 512 ? 1e-9 : e;
         assert_int_equal(rl_record_metric_add(r, "floor_map", seen, seen, seen, "1", NULL), RL_OK);
@@ -137,6 +139,16 @@ static void test_flips(void **state)
     w.bits_8 = 0.005;
     assert_int_equal(judge(w, bits).verdict, RL_VERDICT_FAILS);
 
+    static const char true_256[] = "a map of 256 texels shows is true",
+                      true_base[] = "the largest map shows is true";
+    w = usual;
+    assert_int_equal(judge(w, true_256).verdict, RL_VERDICT_HOLDS);
+    assert_int_equal(judge(w, true_base).verdict, RL_VERDICT_HOLDS);
+    w.floor_256 = 0.005;
+    assert_int_equal(judge(w, true_256).verdict, RL_VERDICT_FAILS);
+    w.floor_1024 = 0.005;
+    assert_int_equal(judge(w, true_base).verdict, RL_VERDICT_FAILS);
+
     static const char slope[] = "in proportion to its texels' size";
     w = usual;
     assert_true(fabs(judge(w, slope).value + 1.5) < 1e-9);
@@ -177,7 +189,7 @@ static void test_plan(void **state)
         assert_int_equal(rl_study_find("environment")->plan(&run, &place, (enum rl_grid)grid, 0, NULL),
                          RL_OK);
         assert_int_equal(rl_study_find("environment")->judge(&claims, &run, NULL), RL_OK);
-        assert_true(claims.n == 6);
+        assert_true(claims.n == 8);
         for (size_t i = 0; i < claims.n; i++)
             assert_true(claims.claim[i].verdict == RL_VERDICT_INCONCLUSIVE && isnan(claims.claim[i].value));
         rl_claims_clear(&claims);

@@ -21,6 +21,7 @@ static const double rrs[] = {1.0, 30.0, 1000.0};
 /* What a made-up world is like at every R_r but for `smooth`, which multiplies the floor but for parallax at R_r = 1000. */
 struct world {
     double noise_1, parallax, floor_centre, smooth;
+    double fine; /* floor_centre of the fine setting */
     double plain, regular_13;
     double fall; /* noise falls as N^fall */
     double spread;
@@ -31,6 +32,7 @@ static const struct world usual = {
     .parallax = 0.01,
     .floor_centre = 0.001,
     .smooth = 10.0,
+    .fine = 0.001,
     .plain = 0.2,
     .regular_13 = 0.04,
     .fall = -0.5,
@@ -74,6 +76,7 @@ static void add_rr(struct rl_run *run, const struct world *w, double rr)
         struct rl_record *r =
             rl_run_add(run, &place, 0, NULL, "series=needed setting=%s rr=%g", fine ? "fine" : "paper", rr);
         metric(r, "floor", hypot(c, w->parallax), w->spread);
+        metric(r, "floor_centre", fine ? w->fine : centre, w->spread);
         metric(r, "needed", count(w->noise_1 * w->noise_1, hypot(c, w->parallax)), w->spread);
         metric(r, "needed_centre", count(w->noise_1 * w->noise_1, c), w->spread);
     }
@@ -130,6 +133,12 @@ static void verdicts_follow_from_rows(void **state)
     assert_int_equal(VERDICT(w, some_fine), RL_VERDICT_HOLDS);
     w.parallax = 0.0;
     assert_int_equal(VERDICT(w, some), RL_VERDICT_HOLDS_UP_TO);
+
+    w = usual;
+    static const char fine[] = "nothing but parallax stays";
+    assert_int_equal(VERDICT(w, fine), RL_VERDICT_HOLDS);
+    w.fine = 0.005;
+    assert_int_equal(VERDICT(w, fine), RL_VERDICT_FAILS);
 
     w = usual;
     static const char falls[] = "noise falls as 1/N";
