@@ -18,11 +18,8 @@ lowest = 1e-6
 above(x) = x > lowest ? x : lowest
 stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
 if (!exists("RMSE_max")) { exit status 3 }
-# The measured R_r that is nearest to 30.
-best = 1e99
-rr = 0
-note_rr(x) = (abs(log(x / 30.0)) < best ? (best = abs(log(x / 30.0)), rr = x) : 0, x)
-stats data using (strcol("scene") eq scene ? note_rr(column("rr")) : NaN) nooutput
+stats data using (strcol("scene") eq scene ? note_central(column("rr")) : NaN) nooutput
+rr = central
 
 if (figure eq "sources") {
     set title sprintf("Where the error comes from: %s, R_r %g", scene, rr)

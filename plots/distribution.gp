@@ -10,8 +10,10 @@ load ARG1
 data = folder . "/distribution.tsv"
 raw = folder . "/distribution_raw.tsv"
 
-# The size of which all R_r and formats were measured: the largest at R_r = 1.
-stats data using (column("rr") == 1 ? column("normal_size_px") : NaN) name "SIZE" nooutput
+# The size of which all R_r and formats were measured: the largest at the smallest R_r.
+stats data using "rr" name "RR" nooutput
+if (!exists("RR_min")) { exit status 3 }
+stats data using (column("rr") == RR_min ? column("normal_size_px") : NaN) name "SIZE" nooutput
 if (!exists("SIZE_max")) { exit status 3 }
 formats = ""
 note(s) = (strstrt(" " . formats, " " . s . " ") == 0 ? formats = formats . s . " " : formats, 1)
@@ -71,22 +73,24 @@ if (figure eq "tilt") {
 }
 
 if (figure eq "histogram") {
-    # Three panels share one key and are drawn from 64 points each.
-    rr_list = "1 30 1000"
+    # Panels of the smallest, the central and the largest R_r share one key and are drawn from 64 points each.
+    stats data using (column("normal_size_px") == SIZE_max ? note_central(column("rr")) : NaN) nooutput
+    rr_list = sprintf("%g%s%s", RR_min, central > RR_min && central < RR_max ? sprintf(" %g", central) : "", RR_max > RR_min ? sprintf(" %g", RR_max) : "")
+    panels = words(rr_list)
     chosen(r, format) = strcol("study") eq "distribution" && strcol("series") eq "delta_bins" \
         && strstrt(strcol("parameters"), sprintf("rr=%s normal_bits=%s normal_size=%g ", r, format, SIZE_max)) > 0
     set bmargin
     unset key
-    set multiplot layout 3, 1 title "Observed over expected counts in 64 bins of equal probability" . map margins 0.1, 0.97, 0.17, 0.91 spacing 0.07
+    set multiplot layout panels, 1 title "Observed over expected counts in 64 bins of equal probability" . map margins 0.1, 0.97, 0.17, 0.91 spacing 0.07
     set xrange [0:64]
     set xtics 8
     set grid noxtics
     chance = 1.96 * sqrt(64.0) / SIZE_max
-    do for [p = 1:3] {
+    do for [p = 1:panels] {
         r = word(rr_list, p)
         set ylabel "R_r " . r
-        set xlabel (p == 3 ? "bin along delta, from −90° to 90°" : "")
-        if (p == 3) { set key at screen 0.5, 0.01 bottom center horizontal maxcols 3 }
+        set xlabel (p == panels ? "bin along delta, from −90° to 90°" : "")
+        if (p == panels) { set key at screen 0.5, 0.01 bottom center horizontal maxcols 3 }
         set yrange [*:*]
         stats raw using (chosen(r, "8") ? column("value") : NaN) name "RATIO" nooutput
         if (!exists("RATIO_max")) { exit status 3 }
@@ -127,10 +131,13 @@ if (figure eq "pictures") {
     chosen(g) = strcol("study") eq "distribution" && strcol("series") eq "picture" && strstrt(strcol("parameters"), "series=patch generator=" . g . " ") > 0
     stats raw using (chosen("reference") ? column("index") : NaN) name "INDEX" nooutput
     if (!exists("INDEX_max")) { exit status 3 }
+    stats raw using (chosen("reference") ? parameter("rr") : NaN) name "R" nooutput
+    stats raw using (chosen("baked") ? parameter("samples") : NaN) name "N" nooutput
+    if (!exists("N_max")) { exit status 3 }
     width = int(sqrt(INDEX_max + 1))
     set bmargin
     unset key
-    set multiplot layout 2, 2 title "A highlight on a plane, 4 normals a pixel, R_r 30" margins 0.02, 0.86, 0.03, 0.86 spacing 0.04, 0.09
+    set multiplot layout 2, 2 title sprintf("A highlight on a plane, %g normals a pixel, R_r %g", N_max, R_max) margins 0.02, 0.86, 0.03, 0.86 spacing 0.04, 0.09
     unset tics
     unset grid
     unset xlabel

@@ -10,14 +10,16 @@ scene = ARG5
 load ARG1
 data = folder . "/environment.tsv"
 
-row(s) = strcol("scene") eq scene && strcol("series") eq s
+stats data using (strcol("scene") eq scene && strcol("series") eq figure ? note_central(column("rr")) : NaN) nooutput
+at = sprintf("%s, R_r %g", scene, central)
+row(s) = strcol("scene") eq scene && strcol("series") eq s && column("rr") == central
 step = 1.0 / 255.0
 lowest = 1e-6
 above(x) = x > lowest ? x : lowest
 
 if (figure eq "size") {
     set bmargin 10.5
-    set title "Error by the environment map's texels: " . scene . ", R_r 30"
+    set title "Error by the environment map's texels: " . at
     stats data using (row("size") ? column("env_size_px") : NaN) name "SIZE" nooutput
     stats data using (row("size") && column("rmse_map") > 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
     if (!exists("RMSE_max")) { exit status 3 }
@@ -42,7 +44,9 @@ if (figure eq "size") {
 }
 
 if (figure eq "format") {
-    set title "Error by the texels' format: " . scene . ", R_r 30, 256 texels a face edge"
+    stats data using (row("format") && column("base") == 0 ? column("env_size_px") : NaN) name "SIZE" nooutput
+    if (!exists("SIZE_max")) { exit status 3 }
+    set title sprintf("Error by the texels' format: %s, %g texels a face edge", at, SIZE_max)
     stats data using (row("format") && column("base") == 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
     if (!exists("RMSE_max")) { exit status 3 }
     set xlabel "RMSE of linear radiance against 32-bit floats (full scale 1)"
@@ -70,7 +74,7 @@ if (figure eq "format") {
 }
 
 if (figure eq "parallax") {
-    set title "Error by the map's single position: " . scene . ", R_r 30"
+    set title "Error by the map's single position: " . at
     stats data using (row("parallax") ? column("size") : NaN) name "SIZE" nooutput
     stats data using (row("parallax") ? column("parallax") : NaN) name "P" nooutput
     if (!exists("P_max")) { exit status 3 }
@@ -90,7 +94,7 @@ if (figure eq "parallax") {
 }
 
 if (figure eq "seam") {
-    set title "A light in a face's middle, across an edge, across a corner: " . scene . ", R_r 30"
+    set title "A light in a face's middle, across an edge, across a corner: " . at
     stats data using (row("seam") && column("base") == 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
     stats data using (row("seam") && column("base") == 0 ? column("env_size_px") : NaN) name "SIZE" nooutput
     if (!exists("RMSE_max")) { exit status 3 }

@@ -14,7 +14,9 @@ of_frame(series) = strcol("study") eq "frame" && strcol("series") eq series
 
 if (figure eq "map" || figure eq "width") {
     # The map is twice as wide as high; rows of latitude from -90 degrees up, columns of longitude from -180.
-    stats raw using (of_frame("map") ? column("index") : NaN) name "INDEX" nooutput
+    stats raw using (of_frame("map") ? note_central(parameter("rr")) : NaN) nooutput
+    on_map(any) = of_frame("map") && parameter("rr") == central
+    stats raw using (on_map(0) ? column("index") : NaN) name "INDEX" nooutput
     if (!exists("INDEX_max")) { exit status 3 }
     columns = int(sqrt(2.0 * (INDEX_max + 1)) + 0.5)
     longitude(i) = 360.0 * ((int(i) % columns + 0.5) / columns - 0.5)
@@ -23,7 +25,7 @@ if (figure eq "map" || figure eq "width") {
 }
 
 if (figure eq "map") {
-    set title "Width of the lobe in the printed frame, R_r 30 (1: as it should be)"
+    set title sprintf("Width of the lobe in the printed frame, R_r %g (1: as it should be)", central)
     set xlabel "longitude of N in degrees, 0 and ±180 being ±x"
     set ylabel "latitude of N in degrees"
     set xrange [-180:180]
@@ -41,33 +43,34 @@ if (figure eq "map") {
     cosine(x, w) = sqrt(1 - w * w) / abs(cos(rad(x)))
     curve(x, w) = cosine(x, w) <= 1 ? acos(cosine(x, w)) * 180.0 / pi : cosine(x, w) < 1.005 ? 0 : NaN
     set key maxcols 3
-    plot raw using (of_frame("map") ? longitude(column("index")) : NaN):(latitude(column("index"))):"value" with image notitle, \
+    plot raw using (on_map(0) ? longitude(column("index")) : NaN):(latitude(column("index"))):"value" with image notitle, \
         for [k = 1:3] curve(x, 1 - 0.25 * k) with lines linetype 2 dashtype k linewidth 1.4 title sprintf("width %g by the formula", 1 - 0.25 * k), \
         for [k = 1:3] -curve(x, 1 - 0.25 * k) with lines linetype 2 dashtype k linewidth 1.4 notitle
 }
 
 if (figure eq "width") {
-    set title "Width of the lobe in the printed frame, R_r 30"
+    set title sprintf("Width of the lobe in the printed frame, R_r %g", central)
     set xlabel "|n_x|"
     set ylabel "median |delta|, printed over orthonormal"
     set xrange [0:1]
     set yrange [0:1.3]
     set samples 1001
     n_x(i) = abs(cos(rad(latitude(i))) * cos(rad(longitude(i))))
-    plot raw using (of_frame("map") ? n_x(column("index")) : NaN):"value" with points linetype 1 pointtype 7 pointsize 0.25 title "sampled normals", \
+    plot raw using (on_map(0) ? n_x(column("index")) : NaN):"value" with points linetype 1 pointtype 7 pointsize 0.25 title "sampled normals", \
         sqrt(1 - x * x) with lines linetype 2 dashtype 1 linewidth 1.6 title "l = sqrt(n_y^2 + n_z^2)", \
         0.5 with lines linestyle 90 title "half the width"
 }
 
 if (figure eq "highlight") {
-    set title "A highlight of R_r 30 in the printed frame, less the true one"
+    stats raw using (of_frame("profile") ? note_central(parameter("rr")) : NaN) nooutput
+    set title sprintf("A highlight of R_r %g in the printed frame, less the true one", central)
     set xlabel "|n_x|"
     set ylabel "difference of L_o (full scale 1)"
     set bmargin 10.5
     set xrange [0:1]
     places = "middle inside outside far"
     titles = "'mirror direction in the middle of the light' 'just inside its edge' 'just outside its edge' 'far outside'"
-    chosen(place) = of_frame("profile") && strstrt(strcol("parameters"), "place=" . place . " ") > 0 && strstrt(strcol("parameters"), " rr=30 ") > 0
+    chosen(place) = of_frame("profile") && strstrt(strcol("parameters"), "place=" . place . " ") > 0 && parameter("rr") == central
     # Pairs: |n_x|, then the difference there.
     before = NaN
     pair(place) = chosen(place) ? (int(column("index")) % 2 == 0 ? (before = column("value"), NaN) : before) : NaN

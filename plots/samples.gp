@@ -26,13 +26,15 @@ while (1) {
     rr_list = rr_list . sprintf("%g ", next)
     last = next
 }
+stats data using (strcol("scene") eq scene && strcol("series") eq "methods" ? note_central(column("rr")) : NaN) nooutput
+at = sprintf(", R_r %g", central)
 # And the settings, paper alone or paper and fine; and those of them that were timed.
 settings = ""
 note_setting(s) = (strstrt(" " . settings, " " . s . " ") == 0 ? settings = settings . s . " " : settings, 1)
-stats data using (strcol("scene") eq scene && strcol("series") eq "methods" && column("rr") == 30 ? note_setting(strcol("setting")) : NaN) nooutput
+stats data using (strcol("scene") eq scene && strcol("series") eq "methods" && column("rr") == central ? note_setting(strcol("setting")) : NaN) nooutput
 timed_settings = ""
 note_timed(s) = (strstrt(" " . timed_settings, " " . s . " ") == 0 ? timed_settings = timed_settings . s . " " : timed_settings, 1)
-stats data using (strcol("scene") eq scene && column("rr") == 30 && column("frame_ms") > 0 ? note_timed(strcol("setting")) : NaN) nooutput
+stats data using (strcol("scene") eq scene && column("rr") == central && column("frame_ms") > 0 ? note_timed(strcol("setting")) : NaN) nooutput
 
 step = 1.0 / 255.0
 stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
@@ -40,8 +42,9 @@ stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse"
 if (!exists("RMSE_min")) { exit status 3 }
 decade_low = 10 ** floor(log10(RMSE_min < step ? RMSE_min : step))
 decade_high = 10 ** ceil(log10(RMSE_max))
-# The guide of slope -1/2 is the noise of one random normal at R_r = 30, divided by the root of N.
-stats data using (row("methods", "paper", "random") && column("rr") == 30 && column("samples") == 1 ? column("noise") : NaN) name "GUIDE" nooutput
+# The guide of slope -1/2 is the noise of one random normal at that R_r, divided by the root of N.
+stats data using (row("methods", "paper", "random") && column("rr") == central && column("samples") == 1 ? column("noise") : NaN) name "GUIDE" nooutput
+if (!exists("GUIDE_max")) { GUIDE_max = NaN }
 
 name(s) = s eq "paper" ? "paper's" : "fine"
 
@@ -66,12 +69,12 @@ if (figure eq "error") {
 }
 
 if (figure eq "split") {
-    set title "Random normals taken apart: " . scene . ", R_r 30"
+    set title "Random normals taken apart: " . scene . at
     set ylabel "noise and floor (full scale 1)"
     set xrange [0.8:1300]
     set yrange [1e-4:decade_high]
     set bmargin 10.5
-    part(s, metric) = row("methods", s, "random") && column("rr") == 30 && column(metric) > 0 ? column("samples") : NaN
+    part(s, metric) = row("methods", s, "random") && column("rr") == central && column(metric) > 0 ? column("samples") : NaN
     plot for [i = 1:words(settings)] data using (part(word(settings, i), "noise")):"noise":(above_zero(column("noise_low"))):"noise_high" \
             with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "noise, " . name(word(settings, i)), \
         for [i = 1:words(settings)] data using (part(word(settings, i), "floor")):"floor":(above_zero(column("floor_low"))):"floor_high" \
@@ -85,11 +88,13 @@ if (figure eq "split") {
 }
 
 if (figure eq "floor") {
-    set title "What samples cannot remove: " . scene . ", R_r 30, float normals"
+    central_off = 1e99
+    stats data using (strcol("scene") eq scene && strcol("series") eq "floor" ? note_central(column("rr")) : NaN) nooutput
+    set title sprintf("What samples cannot remove: %s, R_r %g, float normals", scene, central)
     set xlabel "environment map, texels along an edge of a face"
     set ylabel "floor: root of bias² (full scale 1)"
     set xtics (8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
-    here(x) = strcol("scene") eq scene && strcol("series") eq "floor" ? x : NaN
+    here(x) = strcol("scene") eq scene && strcol("series") eq "floor" && column("rr") == central ? x : NaN
     positive(x) = x > 0 ? x : NaN
     stats data using (here(column("env_size_px"))) name "SIZE" nooutput
     stats data using (here(positive(column("floor")))) name "FLOOR" nooutput
@@ -109,7 +114,7 @@ if (figure eq "floor") {
 }
 
 if (figure eq "time") {
-    set title "Error against time: " . scene . ", R_r 30"
+    set title "Error against time: " . scene . at
     set xlabel "median frame time in ms"
     set ylabel "RMSE of linear radiance (full scale 1)"
     set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
@@ -118,7 +123,7 @@ if (figure eq "time") {
     if (!exists("MS_min")) { exit status 3 }
     set xrange [MS_min / 1.5:MS_max * 1.8]
     set yrange [(RMSE_min < step ? RMSE_min : step) / 1.5:RMSE_max * 1.5]
-    timed(setting, method) = row("methods", setting, method) && column("rr") == 30 && column("frame_ms") > 0
+    timed(setting, method) = row("methods", setting, method) && column("rr") == central && column("frame_ms") > 0
     label(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 256 || n == 1024
     plot for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "regular") ? column("frame_ms") : NaN):"rmse" \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular, settings " . name(word(timed_settings, i)), \

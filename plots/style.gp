@@ -33,3 +33,12 @@ if (strstrt(output, ".small.png") > 0) { set key at screen 0.5, -1 }
 set datafile separator tab
 set datafile columnheaders
 set datafile missing NaN
+
+# Where single figures are taken: at the R_r nearest to 30, in ratio, of those that `stats ... using (note_central(...))` is shown.
+# Titles name it, since `study run --axis rr=...` may have measured any other.
+central = NaN
+central_off = 1e99
+note_central(x) = (abs(log(x / 30.0)) < central_off ? (central_off = abs(log(x / 30.0)), central = x) : 0, x)
+# The number after " NAME=" in a case's parameters; NaN if it has none.
+parameter(name) = strstrt(strcol("parameters"), " " . name . "=") > 0 ? \
+    real(strcol("parameters")[strstrt(strcol("parameters"), " " . name . "=") + strlen(name) + 2:]) : NaN

@@ -73,7 +73,7 @@ static const struct rl_table tables[] = {
 
 static const struct rl_figure figures[] = {
     {"sources",
-     "Where the error comes from at R_r 30: RMSE of each approximation alone, of all together, and as their "
+     "Where the error comes from: RMSE of each approximation alone, of all together, and as their "
      "squares would add "
      "up; 95 % intervals over seeds. What is at the left edge is less or nothing. base: what is left in the "
      "pictures from which the single ones depart. Grey: 1/255, "

@@ -115,7 +115,7 @@ static const struct rl_table tables[] = {
 };
 
 static const struct rl_figure figures[] = {
-    {"size", "Error by the map's texels, R_r 30, float normals: against pictures of the same seeds by the "
+    {"size", "Error by the map's texels, float normals: against pictures of the same seeds by the "
              "largest map, and "
              "against the reference that sees the lights from the object's centre, noise taken out. Bars: 95 "
              "% intervals "

@@ -124,7 +124,7 @@ static const struct rl_figure figures_alone[] = {
      "Where N points along +-x the lobe collapses. Curves: widths of 3/4, 1/2 and 1/4 by the formula."},
     {"width",
      "The same against |n_x|: measured at every N of the map, and as tan(delta') = l tan(delta) has it."},
-    {"highlight", "What that does to a highlight of R_r = 30 under a square light that turns with N: L_o in "
+    {"highlight", "What that does to a highlight under a square light that turns with N: L_o in "
                   "the printed frame less L_o in "
                   "an orthonormal one, by where the mirror direction meets the light. Grey: 1/255."},
 };

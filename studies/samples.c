@@ -193,7 +193,7 @@ static const struct rl_figure figures[] = {
      "(regular has no "
      "seed). Grey: slope -1/2, the fall of pure noise, and 1/255, one step of an 8-bit frame buffer."},
     {"split",
-     "Random sampling taken apart at R_r = 30: noise (what more samples remove) and floor (what "
+     "Random sampling taken apart: noise (what more samples remove) and floor (what "
      "they do not). Floor − parallax: "
      "against a reference that sees the lights from the object's centre; a bar that leaves the frame reaches "
      "zero. Settings paper's: 8-bit "

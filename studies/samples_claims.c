@@ -154,10 +154,17 @@ static int claim_bias_share(const struct rl_judging *v, const double *rr, size_t
     return RL_OK;
 }
 
+/* Of the R_r that the series has: the central one. */
+static double floor_rr(const struct rl_judging *v)
+{
+    double rr[RL_AXIS_MAX];
+    return rl_central_rr(rr, rl_judging_axis(v, "series=floor", "rr", rr));
+}
+
 static const struct rl_metric *find_floor(const struct rl_judging *v, double env_size, const char *metric)
 {
     char pattern[96];
-    snprintf(pattern, sizeof pattern, "series=floor env_size=%g", env_size);
+    snprintf(pattern, sizeof pattern, "series=floor env_size=%g rr=%g", env_size, floor_rr(v));
     return rl_judging_metric(v, pattern, metric);
 }
 
@@ -186,7 +193,7 @@ static int claim_floor(const struct rl_judging *v)
             continue;
         rl_claim_value(c, best->value, best->low, best->high, "RMSE");
         snprintf(c->note, sizeof c->note, "at R_r %g, float normals, a map of %g texels a face edge",
-                 RL_CENTRAL_RR, size[n - 1]);
+                 floor_rr(v), size[n - 1]);
         c->verdict = row[k].at_least ? rl_verdict_at_least(best->low, best->high, RL_STEP_OF_8_BITS)
                                      : rl_verdict_at_most(best->low, best->high, RL_STEP_OF_8_BITS);
     }
@@ -205,8 +212,8 @@ static int claim_texels(const struct rl_judging *v)
                            *position = find_floor(v, 256, "parallax");
     if (texels && position) {
         rl_judging_ratio(c, texels, position, "1");
-        snprintf(c->note, sizeof c->note, "at R_r %g: texels %.3g, position %.3g", RL_CENTRAL_RR,
-                 texels->value, position->value);
+        snprintf(c->note, sizeof c->note, "at R_r %g: texels %.3g, position %.3g", floor_rr(v), texels->value,
+                 position->value);
         c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
     }
     return RL_OK;

@@ -93,4 +93,22 @@ check "a case made by hand has the same figures" "$tmp/samples.tsv" '
       if (!near(c["max"], '"$largest"', 1e-5)) bad("max " c["max"] ", by hand '"$largest"'")
       if (!near(c["bias"], '"$bias"', 1e-5)) bad("bias " c["bias"] ", by hand '"$bias"'")
       if (!near(c["relmse"], '"$relmse"', 1e-5)) bad("relmse " c["relmse"] ", by hand '"$relmse"'") }'
+
+# ---- Titles say what was measured ------------------------------------------------------------------------------
+
+"$rl" study run frame environment distribution samples --quick --scene sphere-quad --axis rr=200 --db "$tmp/200.db" 2>"$tmp/err" || cat "$tmp/err"
+"$rl" study export --db "$tmp/200.db" -o "$tmp/200" >/dev/null 2>"$tmp/err" || cat "$tmp/err"
+for figure in frame-map frame-width frame-highlight distribution-pictures distribution-histogram environment-size environment-format \
+    environment-parallax environment-seam samples-split samples-floor samples-time; do
+    n=$((n + 1))
+    study=${figure%%-*} scene=sphere-quad
+    case $study in frame | distribution) scene=none ;; esac
+    gnuplot -c "plots/$study.gp" plots/style.gp "$tmp/200" "$tmp/$figure.svg" "${figure#*-}" $scene 2>"$tmp/err"
+    words=$(sed 's/<[^>]*>//g' "$tmp/$figure.svg" 2>/dev/null | tr -d ' \n')
+    case $words in
+    *Rr30*) echo "not ok - $figure of R_r 200: speaks of R_r 30" ;;
+    *Rr200*) echo "ok - $figure of R_r 200 says so" ;;
+    *) echo "not ok - $figure of R_r 200: does not say so: $(cat "$tmp/err")" ;;
+    esac
+done
 echo "1..$n"
