@@ -51,6 +51,9 @@ static const struct grid grids[] = {
 
 static const double point_rr = 30.0;
 
+/* A generator that is restarted at every pixel gives one error a seed: its mean square needs many. */
+static const int restarted_seeds = 64;
+
 /* All formats of one R_r and size are one group, soon done. Histograms are kept of the first size. */
 static int plan_maps(struct rl_run *run, const struct rl_place *place, const struct maps *m, bool keep,
                      int *group, struct rl_error *error)
@@ -80,7 +83,8 @@ static int plan_generators(struct rl_run *run, const struct rl_place *place, con
                     run, place, *group, error,
                     "series=point generator=%s normal_bits=%s samples=%d rr=%g normal_size=256 size=%d "
                     "step=0 seeds=%d",
-                    arm[a].generator, arm[a].bits, g->samples[n], point_rr, g->size, g->seeds))
+                    arm[a].generator, arm[a].bits, g->samples[n], point_rr, g->size,
+                    strcmp(arm[a].generator, "lcg") == 0 ? restarted_seeds : g->seeds))
                 return RL_ERR_SYSTEM;
     static const char *const picture[] = {"reference", "lcg", "baked", "hash"};
     for (size_t a = 0; a < sizeof picture / sizeof picture[0]; a++)

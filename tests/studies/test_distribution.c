@@ -21,9 +21,10 @@ struct world {
     double far_float, far_16;   /* Kolmogorov distances */
     double reach_8, reach_half; /* above it distance and width (8), tilt (half) are far, below near */
     double tilt_8;
-    double share, bias, noise; /* restarted generator's share, baked map's bias and noise over the hash's */
-    double spread;             /* half width of intervals */
-    double lean;               /* the float maps' mean direction off N, over the half width of its interval */
+    double restarted, bias,
+        noise; /* restarted generator's bias over the hash's noise; baked map's bias, noise over the hash's */
+    double spread; /* half width of intervals */
+    double lean;   /* the float maps' mean direction off N, over the half width of its interval */
 };
 
 static const struct world usual = {.p_float = 0.3,
@@ -32,7 +33,7 @@ static const struct world usual = {.p_float = 0.3,
                                    .reach_8 = 10.0,
                                    .reach_half = 300.0,
                                    .tilt_8 = 1e-5,
-                                   .share = 1.0,
+                                   .restarted = 1.0,
                                    .bias = 0.0005,
                                    .noise = 1.0,
                                    .spread = 0.002,
@@ -66,7 +67,7 @@ static void add_point(struct rl_run *run, const char *generator, const char *bit
     struct rl_record *r = rl_run_add(run, &place, 1, NULL,
                                      "series=point generator=%s normal_bits=%s samples=4", generator, bits);
     metric(r, "bias", bias, spread);
-    metric(r, "floor", fabs(bias), 0.0);
+    metric(r, "floor", fabs(bias), spread);
     metric(r, "bias_share", share, 0.0);
     metric(r, "noise", noise, spread);
 }
@@ -79,7 +80,7 @@ static void make(struct rl_run *run, const struct world *w)
     for (size_t i = 0; i < 4; i++)
         for (size_t b = 0; b < 4; b++)
             add_map(run, w, rr[i], bits[b]);
-    add_point(run, "lcg", "float", 0.2, w->share, 0.2 * (1.0 - w->share), 0.0);
+    add_point(run, "lcg", "float", 0.24 * w->restarted, 1.0, 0.0, 0.02);
     add_point(run, "baked", "float", w->bias, 0.0, 0.24 * w->noise, w->spread);
     add_point(run, "baked", "8", w->bias, 0.0, 0.24 * w->noise, w->spread);
     add_point(run, "hash", "float", 0.0, 0.0, 0.24, w->spread);
@@ -134,8 +135,10 @@ static void verdicts_flip(void **state)
         {lean, offsetof(struct world, lean), 1.3,
          RL_VERDICT_HOLDS}, /* p = exp(-(2.448 x 1.3)^2/2) = 0.006, of 4 */
         {lean, offsetof(struct world, lean), 1.5, RL_VERDICT_FAILS}, /* 0.0012 */
-        {restarted, offsetof(struct world, share), 1.0, RL_VERDICT_HOLDS},
-        {restarted, offsetof(struct world, share), 0.5, RL_VERDICT_FAILS},
+        {restarted, offsetof(struct world, restarted), 1.0, RL_VERDICT_HOLDS},
+        {restarted, offsetof(struct world, restarted), 0.0, RL_VERDICT_FAILS},
+        {restarted, offsetof(struct world, restarted), 0.3, RL_VERDICT_FAILS},
+        {restarted, offsetof(struct world, restarted), 0.5, RL_VERDICT_INCONCLUSIVE},
         {baked, offsetof(struct world, bias), 0.0005, RL_VERDICT_HOLDS},
         {baked, offsetof(struct world, bias), 0.01, RL_VERDICT_FAILS},
         {baked, offsetof(struct world, bias), 0.003, RL_VERDICT_INCONCLUSIVE},
