@@ -202,13 +202,17 @@ static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights
 const struct rl_study rl_study_bitdepth = {
     .name = "bitdepth",
     .summary = "bits of normal map, environment map and frame buffer: bias, against the noise, and time",
-    .text = "Pictures with few bits are compared with pictures of full precision that use the same random "
-            "numbers: the noise cancels and what the bits do is left. Its part that every seed shares is "
-            "bias, which no sample removes. It is held against a tenth of the noise of the paper's 4 normals "
-            "and against 1/255 of full scale. The regular method takes its pattern as floats and not from a "
-            "map; what a map of few bits would do to it is modelled by rounding the pattern before it is "
-            "uploaded. The pipeline's frame buffer holds floats; others are modelled by rounding to nearest "
-            "as its two passes would.",
+    .text =
+        "Pictures with few bits are compared with pictures of full precision that use the same random "
+        "numbers: the noise cancels and what the bits do is left. Its part that every seed shares is "
+        "bias, which no sample removes. It is held against a tenth of the noise of the paper's 4 normals "
+        "and against 1/255 of full scale. Smooth surfaces keep so few directions that these fall on few of "
+        "the environment map's texels, whose own error then no longer cancels: the bias is that of the bits "
+        "together with the map of 256 texels, and less with a finer map (--axis env_size=256,2048 shows by "
+        "how much). The regular method takes its pattern as floats and not from a "
+        "map; what a map of few bits would do to it is modelled by rounding the pattern before it is "
+        "uploaded. The pipeline's frame buffer holds floats; others are modelled by rounding to nearest "
+        "as its two passes would.",
     .scenes = scenes,
     .tables = tables,
     .n_tables = sizeof tables / sizeof tables[0],
