@@ -1,5 +1,6 @@
 /* The claims that the study `margin` judges. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -169,9 +170,8 @@ static int claim_time(const struct rl_judging *j, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "trade";
-    enum rl_verdict verdict[RL_AXIS_MAX];
-    double judged[RL_AXIS_MAX];
-    size_t n_judged = 0;
+    struct rl_step step[RL_AXIS_MAX];
+    size_t n_judged = 0; /* not every R_r is timed */
     const struct rl_metric *from = NULL;
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *times = find(j, "auto", rr[i], "time_to_off");
@@ -179,14 +179,11 @@ static int claim_time(const struct rl_judging *j, const double *rr, size_t n)
         from = from ? from : find(j, "auto", rr[i], "from_rr");
         if (!spheres || (spheres->value > 0.0 && !times))
             continue;
-        judged[n_judged] = rr[i];
-        verdict[n_judged++] = saves_time(j, rr[i]);
-        if (!(spheres->value > 0.0))
-            continue;
-        rl_judging_note(c, rr[i], times->value);
-        rl_claim_value(c, times->value, times->low, times->high, "times");
+        bool sphere = spheres->value > 0.0; /* without one it is the same frame */
+        step[n_judged++] = (struct rl_step){rr[i], sphere ? times->value : 1.0, sphere ? times->low : 1.0,
+                                            sphere ? times->high : 1.0, saves_time(j, rr[i])};
     }
-    rl_judging_along(c, judged, verdict, n_judged);
+    rl_judging_conclude(c, step, n_judged, "times");
     size_t used = strlen(c->note);
     if (from)
         snprintf(c->note + used, sizeof c->note - used, "%sauto has a sphere from R_r %.3g on",

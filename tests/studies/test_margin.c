@@ -142,6 +142,7 @@ static void test_flips(void **state)
     assert_true(judge(w, time).value == 300.0);
     w.time = w.time_300 = 1.2;
     assert_int_equal(judge(w, time).verdict, RL_VERDICT_FAILS);
+    assert_true(judge(w, time).value >= 1.0); /* that of an R_r that fails */
 
     static const char cost[] = "pass itself is cheap";
     w = usual;
