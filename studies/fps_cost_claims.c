@@ -189,7 +189,7 @@ static int claim_reach(const struct costs *k, const char *arm, const char *text)
         snprintf(c->note + used, sizeof c->note - used, "%s%gx%g: %.3g frames/s", used ? "; " : "", width[i],
                  height, fps->value);
     }
-    if (n == 0)
+    if (n == 0 || !beyond)
         return RL_OK;
     if (held > 0)
         rl_claim_value(c, pixels[held - 1], pixels[held - 1], held == n ? pixels[n - 1] : failing, "px");
