@@ -130,19 +130,6 @@ void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t 
     note_all(c, step, n);
 }
 
-void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n)
-{
-    struct rl_claim concluded = *c;
-    struct rl_step step[RL_AXIS_MAX];
-    rl_judging_steps(step, rr, n);
-    for (size_t i = 0; i < n; i++)
-        step[i].verdict = verdict[i];
-    rl_judging_conclude(&concluded, step, n, c->unit);
-    c->verdict = concluded.verdict;
-    if (c->verdict == RL_VERDICT_HOLDS_UP_TO)
-        rl_claim_value(c, concluded.value, concluded.low, concluded.high, concluded.unit);
-}
-
 void rl_judging_note(struct rl_claim *c, double rr, double value)
 {
     size_t used = strlen(c->note);

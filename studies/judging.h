@@ -63,9 +63,6 @@ void rl_judging_steps(struct rl_step step[RL_AXIS_MAX], const double *rr, size_t
  * The note gets the R_r that the number belongs to, and the numbers of all. */
 void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit);
 
-/* The same from verdicts alone: fails and inconclusive leave the claim's number as it is, and its note is. */
-void rl_judging_along(struct rl_claim *c, const double *rr, const enum rl_verdict *verdict, size_t n);
-
 /* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */
 void rl_judging_note(struct rl_claim *c, double rr, double value);
 
