@@ -1,6 +1,6 @@
 /* The study `roughness`: how does every method's error depend on R_r, and how many random normals would be enough?
  *
- * Plain, regular and random against the reference over R_r = 1 to 1000 with the paper's settings, random with sixteen seeds and more, so
+ * Plain, regular, random and exhaustive against the reference over R_r = 1 to 1000 with the paper's settings, random with sixteen seeds and more, so
  * that noise and floor come apart. Random once more with float normals and a large float map. Noise is then extrapolated
  * to the N at which the error would be one step of an 8-bit frame buffer. */
 #include "studies/roughness.h"
@@ -15,6 +15,7 @@ struct grid {
     double rr[14];
     int regular[4], random[6], fine[4]; /* N of each */
     int seeds, normal_size, fine_env_size;
+    int texels; /* the map's edge for exhaustive, whose time grows with its square */
 };
 
 static const struct grid grids[] = {
@@ -27,7 +28,8 @@ static const struct grid grids[] = {
                        .fine = {16},
                        .seeds = 16,
                        .normal_size = 64,
-                       .fine_env_size = 256},
+                       .fine_env_size = 256,
+                       .texels = 32},
     [RL_GRID_DEFAULT] = {.width = 80,
                          .height = 60,
                          .tolerance = 1e-4,
@@ -37,7 +39,8 @@ static const struct grid grids[] = {
                          .fine = {64},
                          .seeds = 16,
                          .normal_size = 128,
-                         .fine_env_size = 1024},
+                         .fine_env_size = 1024,
+                         .texels = 64},
     [RL_GRID_FULL] = {.width = 640,
                       .height = 480,
                       .tolerance = 1e-5,
@@ -47,7 +50,8 @@ static const struct grid grids[] = {
                       .fine = {4, 16, 64},
                       .seeds = 32,
                       .normal_size = 512,
-                      .fine_env_size = 2048},
+                      .fine_env_size = 2048,
+                      .texels = 128},
 };
 
 /* What the cases of one R_r have in common. */
@@ -64,18 +68,19 @@ static bool add(const struct one_rr *c, const char *series, bool fine, const cha
 {
     const struct grid *g = c->grid;
     int seeds = strcmp(method, "random") == 0 ? g->seeds : 1;
+    int env_size = strcmp(method, "exhaustive") == 0 ? g->texels : fine ? g->fine_env_size : 256;
     return rl_run_add(c->run, c->place, c->group, c->error,
                       "series=%s setting=%s method=%s samples=%d rr=%g normal_bits=%s normal_size=%d "
                       "env_size=%d env_format=%s seeds=%d width=%d height=%d tolerance=%g",
                       series, fine ? "fine" : "paper", method, samples, c->rr, fine ? "float" : "8",
-                      g->normal_size, fine ? g->fine_env_size : 256, fine ? "rgba16f" : "rgba8", seeds,
-                      g->width, g->height, g->tolerance) != NULL;
+                      g->normal_size, env_size, fine ? "rgba16f" : "rgba8", seeds, g->width, g->height,
+                      g->tolerance) != NULL;
 }
 
 static bool add_all(const struct one_rr *c)
 {
     const struct grid *g = c->grid;
-    bool ok = add(c, "methods", false, "plain", 0);
+    bool ok = add(c, "methods", false, "plain", 0) && add(c, "methods", false, "exhaustive", 0);
     for (int i = 0; ok && g->regular[i] > 0; i++)
         ok = add(c, "methods", false, "regular", g->regular[i]);
     for (int i = 0; ok && g->random[i] > 0; i++)
@@ -171,7 +176,8 @@ static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights
 const struct rl_study rl_study_roughness = {
     .name = "roughness",
     .summary = "error of every method over R_r = 1 to 1000; random normals needed for an RMSE of 1/255",
-    .text = "Plain, regular and random highlights are compared with the reference from the roughest surface "
+    .text = "Plain, regular, random and exhaustive highlights are compared with the reference from the "
+            "roughest surface "
             "that the paper allows (R_r = 1) to a near mirror (1000). Errors are of linear radiance over all "
             "pixels of the foreground, 1 being full scale. Random is drawn with several seeds, so that its "
             "squared error splits into variance (noise) and bias squared (floor), and the number of normals "

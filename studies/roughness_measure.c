@@ -3,19 +3,50 @@
 #include <stdio.h>
 
 #include "measure/statistics.h"
+#include "reference/renderer.h"
 #include "studies/judging.h"
 #include "studies/roughness.h"
 #include "studies/seeds.h"
 
+/* Every texel of the map at every pixel, on the CPU: one picture without chance. */
+static int draw_exhaustive(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
+                           const char *parameters, struct rl_error *error)
+{
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
+    struct rl_settings settings;
+    struct rl_plan plan = {0};
+    struct rl_render_stats stats;
+    int status = rl_bench_settings(&settings, parameters, error);
+    if (status == RL_OK)
+        status = rl_plan_make(&plan, scene, &settings, error);
+    if (status == RL_OK)
+        status =
+            rl_reference_render(&s->image[0], &stats, scene, &plan, bench->threads, &bench->quiet, error);
+    s->n = status == RL_OK;
+    rl_plan_clear(&plan);
+    rl_spent_on(&bench->spent, outer);
+    return status;
+}
+
+static int draw(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
+                const char *parameters, struct rl_error *error)
+{
+    if (rl_parameters_match(parameters, "method=exhaustive"))
+        return draw_exhaustive(s, bench, scene, parameters, error);
+    struct rl_bench_scene *set = NULL;
+    int status = rl_bench_scene_make(&set, bench, scene, parameters, 1, error);
+    if (status == RL_OK)
+        status = rl_seeds_draw(s, bench, set, rl_parameter_number(parameters, "seeds"), error);
+    rl_bench_scene_free(set);
+    return status;
+}
+
 static int measure_error(struct rl_record *r, struct rl_bench *bench, const struct rl_scene *scene,
                          struct rl_error *error)
 {
-    struct rl_bench_scene *set = NULL;
     struct rl_seeds s = {0};
     const struct rl_image *truth = NULL, *centre = NULL;
-    int status = rl_bench_scene_make(&set, bench, scene, r->parameters, 1, error);
-    if (status == RL_OK)
-        status = rl_seeds_draw(&s, bench, set, rl_parameter_number(r->parameters, "seeds"), error);
+    int status = draw(&s, bench, scene, r->parameters, error);
     if (status == RL_OK)
         status = rl_bench_reference(&truth, bench, scene, r->parameters, RL_LIGHT_FROM_POINT, error);
     if (status == RL_OK)
@@ -23,7 +54,6 @@ static int measure_error(struct rl_record *r, struct rl_bench *bench, const stru
     if (status == RL_OK)
         status = rl_seeds_add_error(r, &s, truth, centre, error);
     rl_seeds_clear(&s);
-    rl_bench_scene_free(set);
     return status;
 }
 

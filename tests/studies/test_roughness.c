@@ -22,7 +22,7 @@ static const double rrs[] = {1.0, 30.0, 1000.0};
 struct world {
     double noise_1, parallax, floor_centre, smooth;
     double fine; /* floor_centre of the fine setting */
-    double plain, regular_13;
+    double plain, regular_13, exhaustive;
     double fall; /* noise falls as N^fall */
     double spread;
 };
@@ -35,6 +35,7 @@ static const struct world usual = {
     .fine = 0.001,
     .plain = 0.2,
     .regular_13 = 0.04,
+    .exhaustive = 0.001,
     .fall = -0.5,
     .spread = 0.01,
 };
@@ -71,6 +72,8 @@ static void add_rr(struct rl_run *run, const struct world *w, double rr)
     metric(
         rl_run_add(run, &place, 0, NULL, "series=methods setting=paper method=regular samples=13 rr=%g", rr),
         "rmse", w->regular_13, 0.0);
+    metric(rl_run_add(run, &place, 0, NULL, "series=methods setting=paper method=exhaustive rr=%g", rr),
+           "rmse_centre", w->exhaustive, 0.0);
     for (int fine = 0; fine < 2; fine++) {
         double c = fine ? 0.0 : centre;
         struct rl_record *r =
@@ -141,6 +144,12 @@ static void verdicts_follow_from_rows(void **state)
     assert_int_equal(VERDICT(w, fine), RL_VERDICT_FAILS);
 
     w = usual;
+    static const char sum[] = "exhaustive sum over the texels";
+    assert_int_equal(VERDICT(w, sum), RL_VERDICT_HOLDS);
+    w.exhaustive = 0.01;
+    assert_int_equal(VERDICT(w, sum), RL_VERDICT_FAILS);
+
+    w = usual;
     static const char falls[] = "noise falls as 1/N";
     assert_int_equal(VERDICT(w, falls), RL_VERDICT_HOLDS);
     w.fall = -0.4;
@@ -185,6 +194,7 @@ static void every_grid_has_what_the_claims_need(void **state)
             "series=methods setting=paper method=random samples=16",
             "series=methods setting=paper method=regular samples=13",
             "series=methods setting=paper method=plain",
+            "series=methods setting=paper method=exhaustive",
             "series=methods setting=fine method=random",
             "series=needed setting=paper",
             "series=needed setting=fine",
@@ -240,6 +250,8 @@ static void measured_figures_obey_their_formulas(void **state)
     assert_true(needed == count(one, floor));
     value_of(&run, "series=methods method=plain", "rmse", &plain);
     assert_true(plain > 0.01 && plain < 0.5);
+    value_of(&run, "series=methods method=exhaustive", "rmse_centre", &rmse);
+    assert_true(rmse > 0.0 && rmse < 0.02); /* texels of a small map */
     rl_run_clear(&run);
     rl_scene_clear(&scene);
     rl_bench_close(&bench);
