@@ -126,6 +126,31 @@ static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
     return RL_OK;
 }
 
+/* A map that has other bits than it is said to have would change the picture as if it lay elsewhere between its neighbours: each bit
+ * changes it by sqrt(2) to 2 times (by the chance that a normal finds another texel, or by the bias). */
+static int claim_rounding(const struct rl_judging *j, const double *rr, size_t n)
+{
+    static const double one_bit = 1.4142135623730951;
+    struct rl_claim *c =
+        rl_judging_claim(j, "ours: 8 bits are 8 bits: they change the picture by less than sqrt(2) times "
+                            "the geometric mean of 6 and 10 bits, that is, by less than with 7");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "normals";
+    double at = rl_central_rr(rr, n);
+    const struct rl_metric *six = find(j, "series=normals normal_bits=6", at, "change"),
+                           *eight = find(j, "series=normals normal_bits=8", at, "change"),
+                           *ten = find(j, "series=normals normal_bits=10", at, "change");
+    if (!six || !eight || !ten || !(six->low * ten->low > 0.0))
+        return RL_OK;
+    rl_claim_value(c, eight->value / sqrt(six->value * ten->value), eight->low / sqrt(six->high * ten->high),
+                   eight->high / sqrt(six->low * ten->low), "times");
+    snprintf(c->note, sizeof c->note, "at R_r %g; RMS change with 6, 8, 10 bits: %.3g, %.3g, %.3g", at,
+             six->value, eight->value, ten->value);
+    c->verdict = rl_verdict_at_most(c->low, c->high, one_bit);
+    return RL_OK;
+}
+
 static const struct rl_metric *time_ratio(const struct rl_judging *j, const char *arm)
 {
     char pattern[64];
@@ -171,6 +196,8 @@ int rl_bitdepth_judge(struct rl_claims *claims, const struct rl_run *run, struct
         status = claim_bits(&j, rr, n);
         if (status == RL_OK)
             status = claim_regular(&j, rr, n);
+        if (status == RL_OK)
+            status = claim_rounding(&j, rr, n);
         if (status == RL_OK)
             status = claim_time(&j);
     }

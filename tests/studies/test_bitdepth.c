@@ -21,6 +21,7 @@ static const double rrs[] = {3.0, 30.0, 300.0};
 /* A made-up world: bias grows in proportion to R_r, from these at R_r = 30; noise is the same everywhere. */
 struct world {
     double bias_8, bias_10, regular_8, noise, environment_8, frame_8;
+    double change_8; /* of 6 and 10 bits: 0.02 and 0.005 */
     double spread, ms_16, ms_again;
 };
 
@@ -31,6 +32,7 @@ static const struct world usual = {
     .noise = 0.04,
     .environment_8 = 0.0001,
     .frame_8 = 0.001,
+    .change_8 = 0.01,
     .spread = 0.05,
     .ms_16 = 1.0,
     .ms_again = 1.0,
@@ -52,6 +54,8 @@ static void add_normals(struct rl_run *run, const struct world *w, const char *b
         double spread = samples == 4 ? 1000.0 : w->spread;
         metric(r, "bias", bias * rr / 30.0, spread);
         metric(r, "bias_of_noise", bias * rr / 30.0 / w->noise, spread);
+        metric(r, "change", strcmp(bits, "8") ? 0.02 * pow(2.0, 0.5 * (6.0 - atof(bits))) : w->change_8,
+               w->spread);
     }
 }
 
@@ -72,6 +76,7 @@ static void make(struct rl_run *run, const struct world *w)
 {
     *run = (struct rl_run){.study = "bitdepth", .grid = "default"};
     for (size_t i = 0; i < sizeof rrs / sizeof rrs[0]; i++) {
+        add_normals(run, w, "6", rrs[i], w->bias_8);
         add_normals(run, w, "8", rrs[i], w->bias_8);
         add_normals(run, w, "10", rrs[i], w->bias_10);
         add_change(run, w, "series=regular normal_bits=8", rrs[i], w->regular_8);
@@ -98,6 +103,12 @@ static void verdicts_follow_from_rows(void **state)
 {
     (void)state;
     struct world w = usual;
+    static const char rounding[] = "8 bits are 8 bits";
+    assert_int_equal(VERDICT(w, rounding), RL_VERDICT_HOLDS);
+    assert_true(fabs(claim_in(w, rounding).value - 1.0) < 1e-9);
+    w.change_8 = 0.016;
+    assert_int_equal(VERDICT(w, rounding), RL_VERDICT_FAILS);
+    w = usual;
     static const char eight[] = "paper: 8 bits (a step", ten[] = "ours: 10 bits make";
     assert_int_equal(VERDICT(w, eight), RL_VERDICT_HOLDS_UP_TO); /* 0.02 at R_r = 300 */
     assert_true(claim_in(w, eight).value == 30.0 && claim_in(w, eight).high == 300.0);
