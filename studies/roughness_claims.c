@@ -169,6 +169,24 @@ static int claim_against(const struct rl_judging *j, const double *rr, size_t n)
     return RL_OK;
 }
 
+/* The roughest lobe is the widest and reaches the horizon, where G counts: without G it would be brighter everywhere. */
+static int claim_attenuation(const struct rl_judging *j, const double *rr, size_t n)
+{
+    struct rl_claim *c =
+        rl_judging_claim(j, "ours: attenuation is as the reference has it: at the roughest R_r, with float "
+                            "normals and a large map, the floor but for parallax is at most 1/510");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "split";
+    const struct rl_metric *m = n ? find(j, "series=needed setting=fine", rr[0], "floor_centre") : NULL;
+    if (!m)
+        return RL_OK;
+    rl_claim_value(c, m->value, m->low, m->high, "RMSE");
+    snprintf(c->note, sizeof c->note, "at R_r %g", rr[0]);
+    c->verdict = rl_verdict_at_most(m->low, m->high, 0.5 * RL_STEP_OF_8_BITS);
+    return RL_OK;
+}
+
 int rl_roughness_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
 {
     int status = RL_OK;
@@ -177,8 +195,8 @@ int rl_roughness_judge(struct rl_claims *claims, const struct rl_run *run, struc
         struct rl_judging j = {run, scene, claims, error};
         double rr[RL_AXIS_MAX];
         size_t n = rl_judging_axis(&j, "series=methods setting=paper", "rr", rr);
-        int (*const claim[])(const struct rl_judging *, const double *,
-                             size_t) = {claim_enough, claim_needed, claim_extrapolation, claim_against};
+        int (*const claim[])(const struct rl_judging *, const double *, size_t) = {
+            claim_enough, claim_needed, claim_extrapolation, claim_against, claim_attenuation};
         for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
             status = claim[k](&j, rr, n);
     }

@@ -140,6 +140,11 @@ static void verdicts_follow_from_rows(void **state)
     w = usual;
     static const char fine[] = "nothing but parallax stays";
     assert_int_equal(VERDICT(w, fine), RL_VERDICT_HOLDS);
+    static const char attenuation[] = "attenuation is as the reference has it";
+    assert_int_equal(VERDICT(w, attenuation), RL_VERDICT_HOLDS);
+    w.fine = 0.0025;
+    assert_int_equal(VERDICT(w, attenuation), RL_VERDICT_FAILS);
+    assert_int_equal(VERDICT(w, fine), RL_VERDICT_HOLDS);
     w.fine = 0.005;
     assert_int_equal(VERDICT(w, fine), RL_VERDICT_FAILS);
 
