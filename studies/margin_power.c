@@ -28,6 +28,7 @@ static double weight(const struct rl_ellipsoid *e, double beside, double a)
 
 double rl_margin_filled(double rr, double loss)
 {
+    enum { SIZES = 104 }; /* up to almost a half space */
     static const double distance = 10.0;
     struct rl_object object = {.radius = 1.0};
     struct rl_light light[2] = {{.centre = {0.0, distance, 0.0}}, {.centre = {0.0, -distance, 0.0}}};
@@ -39,7 +40,8 @@ double rl_margin_filled(double rr, double loss)
     settings.env_size = 4096;
     struct rl_ellipsoid e = rl_ellipsoid_make(rr);
     double most = NAN;
-    for (double a = 0.01; a < 0.5 * RL_PI; a *= 1.05) {
+    for (int i = 0; i < SIZES; i++) {
+        double a = 0.01 * pow(1.05, i);
         light[0].radius = light[1].radius = distance * sin(a);
         double sphere = (1.0 + rl_margin_auto(&scene, &material, &settings, loss)) * sin(a);
         if (sphere < 1.0)

@@ -54,7 +54,8 @@ static void add_normals(struct rl_run *run, const struct world *w, const char *b
         double spread = samples == 4 ? 1000.0 : w->spread;
         metric(r, "bias", bias * rr / 30.0, spread);
         metric(r, "bias_of_noise", bias * rr / 30.0 / w->noise, spread);
-        metric(r, "change", strcmp(bits, "8") ? 0.02 * pow(2.0, 0.5 * (6.0 - atof(bits))) : w->change_8,
+        metric(r, "change",
+               strcmp(bits, "8") ? 0.02 * pow(2.0, 0.5 * (6.0 - strtod(bits, NULL))) : w->change_8,
                w->spread);
     }
 }
