@@ -251,6 +251,16 @@ static const struct rl_figure figures[] = {
                 "interval (of fewer than six rounds the shortest and the longest)."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    {.name = "points", .of = "part=points", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "rounds", .of = "part=images", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 64},
+    {.name = "rounds", .of = "part=kernel", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "seconds", .of = "part=kernel", .kind = RL_SWEEP_REAL, .low = 0.001, .high = 1e4},
+    RL_SWEEP_PIXELS("width", "part=images"),
+    RL_SWEEP_PIXELS("height", "part=images"),
+};
+
 static const char *const scenes[] = {"sphere-quad", "teapot-star", NULL};
 
 const struct rl_study rl_study_accuracy = {
@@ -273,6 +283,7 @@ const struct rl_study rl_study_accuracy = {
     .n_figures_alone = sizeof figures_alone / sizeof figures_alone[0],
     .plan = plan,
     .plan_alone = plan_alone,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = measure,
     .judge = rl_accuracy_judge,
 };

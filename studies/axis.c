@@ -1,4 +1,4 @@
-/* Reads axes and puts their values into planned cases (see axis.h). What values a parameter takes is in axis_values.c. */
+/* Reads axes and puts their values into planned cases (see axis.h). What values a parameter takes is in sweep.c. */
 #include "studies/axis.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/hash.h"
-#include "studies/axis_values.h"
+#include "studies/bench.h"
 
 static int fail_form(struct rl_error *error, const char *text)
 {
@@ -145,22 +145,43 @@ static int add_case(struct rl_run *run, const struct rl_record *r, const char *p
     return rl_run_add(run, &place, group, error, "%s", parameters) ? RL_OK : RL_ERR_SYSTEM;
 }
 
-/* The group of records from `first` on, once for each value; without the parameter, as it is. */
-static int expand_group(struct rl_run *out, const struct rl_run *run, size_t first, size_t end,
-                        const struct rl_axis *axis, struct rl_error *error)
+/* The case with value `v` of the axis, or as it is where it is none that the axis is about. */
+static int add_value(struct rl_run *out, const struct rl_record *r, const struct rl_axis *axis, size_t v,
+                     const struct rl_sweep *sweep, int group, struct rl_error *error)
 {
-    bool has = false;
-    char text[RL_NAME_MAX], parameters[RL_PARAMETERS_MAX];
-    for (size_t i = first; i < end; i++)
-        has = has || rl_parameter(run->record[i].parameters, axis->name, text, sizeof text);
+    char renamed[RL_PARAMETERS_MAX], parameters[RL_PARAMETERS_MAX];
+    snprintf(parameters, sizeof parameters, "%s", r->parameters);
     int status = RL_OK;
-    for (size_t v = 0; v < (has ? axis->n : 1) && status == RL_OK; v++) {
+    if (sweep)
+        status = rl_parameters_replace(parameters, r->parameters, axis->name, axis->value[v], error);
+    if (sweep && sweep->named_by && status == RL_OK) {
+        status = rl_parameters_replace(renamed, parameters, sweep->named_by, axis->value[v], error);
+        memcpy(parameters, renamed, sizeof parameters);
+    }
+    return status == RL_OK ? add_case(out, r, parameters, group, error) : status;
+}
+
+/* The group of records from `first` on, once for each value; where these stay together, once with all of them; without the
+ * parameter, as it is. */
+static int expand_group(struct rl_run *out, const struct rl_run *run, size_t first, size_t end,
+                        const struct rl_axis *axis, const struct rl_sweeps *sweeps, struct rl_error *error)
+{
+    size_t n_groups = 1;
+    for (size_t i = first; i < end; i++) {
+        const struct rl_sweep *s =
+            rl_sweep_find(sweeps->sweep, sweeps->n, axis->name, run->record[i].parameters);
+        n_groups = s && !s->together ? axis->n : n_groups;
+    }
+    int status = RL_OK;
+    for (size_t g = 0; g < n_groups && status == RL_OK; g++) {
         int group = out->n_records ? out->record[out->n_records - 1].group + 1 : 0;
         for (size_t i = first; i < end && status == RL_OK; i++) {
-            status = rl_parameters_replace(parameters, run->record[i].parameters, axis->name, axis->value[v],
-                                           error);
-            if (status == RL_OK)
-                status = add_case(out, &run->record[i], parameters, group, error);
+            const struct rl_record *r = &run->record[i];
+            const struct rl_sweep *s = rl_sweep_find(sweeps->sweep, sweeps->n, axis->name, r->parameters);
+            if (!s || !s->together)
+                status = add_value(out, r, axis, g, s, group, error);
+            for (size_t v = 0; s && s->together && v < axis->n && status == RL_OK; v++)
+                status = add_value(out, r, axis, v, s, group, error);
         }
     }
     return status;
@@ -202,14 +223,46 @@ static int merge_same(struct rl_run *run, struct rl_error *error)
     return RL_OK;
 }
 
-static int apply(struct rl_run *run, const struct rl_axis *axis, struct rl_error *error)
+/* What a case is measured for beside its errors: how many rounds it is timed, the columns of a map, a series kept. */
+static const char *const extras[] = {"rounds", "columns", "keep"};
+
+/* Whether two cases are the same but that the second has more of that kind. */
+static bool has_more(const struct rl_record *without, const struct rl_record *with, const char *key)
+{
+    char stripped[RL_PARAMETERS_MAX];
+    return rl_parameter_number(with->parameters, key) > 0.0 && strcmp(without->scene, with->scene) == 0 &&
+           rl_parameters_replace(stripped, with->parameters, key, "0", NULL) == RL_OK &&
+           strcmp(stripped, without->parameters) == 0;
+}
+
+/* A study measures a case twice, timed and not, only where it is of two R_r, say. Where an axis makes them the same, that with the clock
+ * is enough; with both, a judge would find the one without. */
+static void drop_less(struct rl_run *run, const char *key)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < run->n_records; i++) {
+        bool less = false;
+        if (rl_parameter_number(run->record[i].parameters, key) == 0.0)
+            for (size_t k = 0; k < run->n_records && !less; k++)
+                less = k != i && (k < kept || k > i) && has_more(&run->record[i], &run->record[k], key);
+        if (less)
+            continue;
+        if (kept != i)
+            run->record[kept] = run->record[i];
+        kept++;
+    }
+    run->n_records = kept;
+}
+
+static int apply(struct rl_run *run, const struct rl_axis *axis, const struct rl_sweeps *sweeps,
+                 struct rl_error *error)
 {
     struct rl_run out = {0};
     int status = RL_OK;
     for (size_t first = 0, end; first < run->n_records && status == RL_OK; first = end) {
         for (end = first + 1; end < run->n_records && run->record[end].group == run->record[first].group;)
             end++;
-        status = expand_group(&out, run, first, end, axis, error);
+        status = expand_group(&out, run, first, end, axis, sweeps, error);
     }
     if (status == RL_OK)
         status = merge_same(&out, error);
@@ -223,23 +276,103 @@ static int apply(struct rl_run *run, const struct rl_axis *axis, struct rl_error
     return RL_OK;
 }
 
-int rl_axes_apply(struct rl_run *run, const struct rl_axis *axes, size_t n_axes, rl_parameters_check *check,
-                  struct rl_error *error)
+/* The names that there are, or what is wrong with one that there is. */
+static int fail_name(const struct rl_axis *axis, const struct rl_run *run, const struct rl_sweeps *sweeps,
+                     struct rl_error *error)
 {
+    char names[256], text[RL_NAME_MAX];
+    bool has = false;
+    rl_sweep_names(names, sizeof names, sweeps->sweep, sweeps->n);
+    for (size_t i = 0; i < run->n_records; i++)
+        has = has || rl_parameter(run->record[i].parameters, axis->name, text, sizeof text);
+    return rl_fail(error, RL_ERR_INPUT, "--axis %s: %s the study %s%s, expected one of %s", axis->name,
+                   has ? "belongs to what cases are told apart by in" : "no parameter of", run->study,
+                   has ? " and is not replaced" : "", names[0] ? names : "none");
+}
+
+/* Before anything is changed: every value is one that each of the cases takes. Values of a range become whole where whole ones are
+ * taken. */
+static int check_axis(struct rl_axis *axis, const struct rl_run *run, const struct rl_sweeps *sweeps,
+                      struct rl_error *error)
+{
+    const struct rl_sweep *last = NULL;
+    for (size_t i = 0; i < run->n_records; i++) {
+        const struct rl_sweep *s =
+            rl_sweep_find(sweeps->sweep, sweeps->n, axis->name, run->record[i].parameters);
+        if (!s || s == last)
+            continue;
+        last = s;
+        if (s->together && axis->n > (size_t)s->together)
+            return rl_fail(error, RL_ERR_INPUT, "--axis %s: found %zu values, expected at most %d",
+                           axis->name, axis->n, s->together);
+        for (size_t v = 0; v < axis->n; v++) {
+            if (s->kind == RL_SWEEP_WHOLE && axis->range)
+                snprintf(axis->value[v], RL_AXIS_VALUE_LENGTH, "%.0f", round(strtod(axis->value[v], NULL)));
+            int status = rl_sweep_check(s, axis->value[v], error);
+            if (status != RL_OK)
+                return status;
+        }
+    }
+    return last ? RL_OK : fail_name(axis, run, sweeps, error);
+}
+
+/* What the settings' own rules and the study's say of the cases as they have become. What names no method is not drawn by the bench, and
+ * its `samples` may be another thing. */
+static int check_cases(const struct rl_run *run, rl_parameters_check *check, struct rl_error *error)
+{
+    for (size_t i = 0; i < run->n_records; i++) {
+        struct rl_settings settings;
+        const char *parameters = run->record[i].parameters;
+        char method[RL_NAME_MAX];
+        int status = rl_parameter(parameters, "method", method, sizeof method)
+                         ? rl_bench_settings(&settings, parameters, error)
+                         : RL_OK;
+        if (status == RL_OK && check)
+            status = check(parameters, error);
+        if (status != RL_OK) {
+            rl_fail_prefix(error, "--axis: %s", parameters);
+            return status;
+        }
+    }
+    return RL_OK;
+}
+
+static bool swept(const struct rl_axis *axes, size_t n, const char *name)
+{
+    bool found = false;
+    for (size_t i = 0; i < n; i++)
+        found = found || strcmp(axes[i].name, name) == 0;
+    return found;
+}
+
+static int apply_all(struct rl_run *run, const struct rl_axis *axes, size_t n_axes, struct rl_axis *axis,
+                     const struct rl_sweeps *sweeps, struct rl_error *error)
+{
+    for (size_t i = 0; i < n_axes; i++) {
+        if (swept(axes, i, axes[i].name))
+            return rl_fail(error, RL_ERR_INPUT, "--axis %s: given twice", axes[i].name);
+        *axis = axes[i];
+        int status = check_axis(axis, run, sweeps, error);
+        if (status == RL_OK)
+            status = apply(run, axis, sweeps, error);
+        if (status != RL_OK)
+            return status;
+    }
+    return RL_OK;
+}
+
+int rl_axes_apply(struct rl_run *run, const struct rl_axis *axes, size_t n_axes,
+                  const struct rl_sweeps *sweeps, rl_parameters_check *check, struct rl_error *error)
+{
+    if (n_axes == 0)
+        return RL_OK;
     struct rl_axis *axis = malloc(sizeof *axis);
     if (!axis)
         return rl_fail_memory(error, "an axis");
-    int status = RL_OK;
-    for (size_t i = 0; i < n_axes && status == RL_OK; i++) {
-        for (size_t k = 0; k < i && status == RL_OK; k++)
-            if (strcmp(axes[i].name, axes[k].name) == 0)
-                status = rl_fail(error, RL_ERR_INPUT, "--axis %s: given twice", axes[i].name);
-        *axis = axes[i];
-        if (status == RL_OK)
-            status = rl_axis_check(axis, run, check, error);
-        if (status == RL_OK)
-            status = apply(run, axis, error);
-    }
+    int status = apply_all(run, axes, n_axes, axis, sweeps, error);
     free(axis);
-    return status;
+    for (size_t k = 0; k < sizeof extras / sizeof extras[0] && status == RL_OK; k++)
+        if (!swept(axes, n_axes, extras[k])) /* who asks for several gets them */
+            drop_less(run, extras[k]);
+    return status == RL_OK ? check_cases(run, check, error) : status;
 }

@@ -197,6 +197,17 @@ static const struct rl_figure figures[] = {
              "95 % intervals of the median. Grey: what two arms of the same work differ by."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR(NULL),
+    {.name = "samples", .of = "series=normals", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
+    RL_SWEEP_NORMAL_SIZE(NULL),
+    RL_SWEEP_SEEDS("method=random"),
+    {.name = "rounds", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 100000},
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_bitdepth = {
@@ -219,6 +230,7 @@ const struct rl_study rl_study_bitdepth = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = rl_bitdepth_measure,
     .judge = rl_bitdepth_judge,
 };

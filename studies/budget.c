@@ -82,6 +82,15 @@ static const struct rl_figure figures[] = {
                  "the normals' bits do."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR(NULL),
+    RL_SWEEP_SEEDS(NULL),
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+    RL_SWEEP_TOLERANCE(NULL),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_budget = {
@@ -106,6 +115,7 @@ const struct rl_study rl_study_budget = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = rl_budget_measure,
     .judge = rl_budget_judge,
 };

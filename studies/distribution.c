@@ -196,6 +196,20 @@ static const struct rl_figure figures[] = {
      "place of its blur."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR("series=map"),
+    {.name = "normal_bits",
+     .of = "series=map",
+     .kind = RL_SWEEP_WORD,
+     .words = rl_sweep_normal_bits,
+     .together = 15},
+    RL_SWEEP_NORMAL_SIZE("series=map"),
+    {.name = "samples", .of = "series=point", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
+    {.name = "size", .of = "series=point", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 256},
+    {.name = "seeds", .of = "series=point", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 64},
+};
+
 static const char *const scenes[] = {NULL};
 
 const struct rl_study rl_study_distribution = {
@@ -219,6 +233,7 @@ const struct rl_study rl_study_distribution = {
     .n_figures_alone = sizeof figures / sizeof figures[0],
     .plan = plan,
     .plan_alone = plan_alone,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = measure,
     .judge = rl_distribution_judge,
 };

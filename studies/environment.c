@@ -132,6 +132,29 @@ static const struct rl_figure figures[] = {
      "across a corner: error against the largest map."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR(NULL),
+    {.name = "away", .of = "series=parallax", .kind = RL_SWEEP_REAL, .low = 0.001, .high = 1e6},
+    {.name = "env_size",
+     .of = "series=size base=0",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 8,
+     .high = 256,
+     .together = 32},
+    {.name = "env_size",
+     .of = "series=seam base=0",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 8,
+     .high = 256,
+     .together = 32},
+    {.name = "samples", .of = NULL, .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
+    RL_SWEEP_SEEDS(NULL),
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+    RL_SWEEP_TOLERANCE(NULL),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_environment = {
@@ -151,6 +174,7 @@ const struct rl_study rl_study_environment = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = rl_environment_measure,
     .judge = rl_environment_judge,
 };

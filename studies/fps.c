@@ -358,6 +358,33 @@ static const char *const figure_patterns[] = {
     "series=objects", "series=roughness", "series=maps", "series=exhaustive",
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    {.name = "objects",
+     .of = "series=objects",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 1,
+     .high = 1000,
+     .together = 16},
+    {.name = "roughnesses",
+     .of = "series=roughness",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 1,
+     .high = 1000,
+     .together = 16},
+    {.name = "env_size",
+     .of = "series=environment",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 8,
+     .high = 4096,
+     .together = 16},
+    {.name = "normal_bits", .of = NULL, .kind = RL_SWEEP_WORD, .words = rl_sweep_normal_bits},
+    {.name = "rounds", .of = NULL, .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "seconds", .of = NULL, .kind = RL_SWEEP_REAL, .low = 0.001, .high = 1e5},
+    RL_SWEEP_PIXELS("width", "series=table1"),
+    RL_SWEEP_PIXELS("height", "series=table1"),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_fps = {
@@ -380,6 +407,7 @@ const struct rl_study rl_study_fps = {
     .n_figures = sizeof figures / sizeof figures[0],
     .figure_patterns = figure_patterns,
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .check = rl_fps_check,
     .measure = rl_fps_measure,
     .derive = rl_fps_derive,

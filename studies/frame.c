@@ -135,6 +135,17 @@ static const struct rl_figure figures[] = {
      "point along +-x the fault hides."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR(NULL),
+    {.name = "points", .of = NULL, .kind = RL_SWEEP_WHOLE, .low = 2, .high = 65536},
+    {.name = "samples", .of = "series=lobe", .kind = RL_SWEEP_WHOLE, .low = 10, .high = 65536},
+    {.name = "columns", .of = "series=lobe", .kind = RL_SWEEP_WHOLE, .low = 0, .high = 360},
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+    RL_SWEEP_TOLERANCE("series=scene"),
+};
+
 static const char *const scenes[] = {"sphere-quad", "teapot-star", "three-lights", NULL};
 
 const struct rl_study rl_study_frame = {
@@ -158,6 +169,7 @@ const struct rl_study rl_study_frame = {
     .n_figures_alone = sizeof figures_alone / sizeof figures_alone[0],
     .plan = plan,
     .plan_alone = plan_alone,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = rl_frame_measure,
     .judge = rl_frame_judge,
 };

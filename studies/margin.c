@@ -174,6 +174,30 @@ static const struct rl_figure figures[] = {
      "Where a mark is missing the closed form has no sphere."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR(NULL),
+    {.name = "margin",
+     .of = "series=margin",
+     .kind = RL_SWEEP_REAL,
+     .low = 0,
+     .high = 1e5,
+     .together = 16,
+     .named_by = "arm"},
+    {.name = "loss", .of = "series=bound", .kind = RL_SWEEP_REAL, .low = 1e-6, .high = 0.999, .together = 24},
+    {.name = "samples", .of = NULL, .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
+    {.name = "normal_bits", .of = NULL, .kind = RL_SWEEP_WORD, .words = rl_sweep_normal_bits},
+    RL_SWEEP_ENV_SIZE(NULL),
+    {.name = "env_format", .of = NULL, .kind = RL_SWEEP_WORD, .words = rl_sweep_env_formats},
+    RL_SWEEP_SEEDS("series=margin"),
+    {.name = "rounds", .of = "series=margin", .kind = RL_SWEEP_WHOLE, .low = 0, .high = 100000},
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+    RL_SWEEP_PIXELS("timed_width", NULL),
+    RL_SWEEP_PIXELS("timed_height", NULL),
+    RL_SWEEP_TOLERANCE(NULL),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_margin = {
@@ -195,6 +219,7 @@ const struct rl_study rl_study_margin = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = rl_margin_measure,
     .judge = rl_margin_judge,
 };

@@ -122,6 +122,20 @@ static int name_grid(struct rl_run *run, const struct rl_run_options *options, s
                    used, sizeof run->grid - 1);
 }
 
+/* Of the cases that axes made, those that their scene has no room for. */
+static int check_scenes(const struct rl_planned *p, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (size_t i = 0; i < p->run.n_records && status == RL_OK; i++) {
+        const struct rl_record *r = &p->run.record[i];
+        const struct rl_scene *scene = rl_planned_scene(p, r);
+        status = scene ? p->study->check_scene(r->parameters, scene, error) : RL_OK;
+        if (status != RL_OK)
+            rl_fail_prefix(error, "--axis: %s", r->scene);
+    }
+    return status;
+}
+
 static int plan(struct rl_planned *p, const struct rl_run_options *o, struct rl_error *error)
 {
     int status = p->study->plan_alone ? plan_alone(p, o->grid, error) : RL_OK;
@@ -130,7 +144,9 @@ static int plan(struct rl_planned *p, const struct rl_run_options *o, struct rl_
     for (size_t i = 0; !o->n_scenes && p->study->scenes[i] && status == RL_OK; i++)
         status = plan_scene(p, p->study->scenes[i], o->grid, error);
     if (status == RL_OK)
-        status = rl_axes_apply(&p->run, o->axes, o->n_axes, p->study->check, error);
+        status = rl_axes_apply(&p->run, o->axes, o->n_axes, &p->study->sweeps, p->study->check, error);
+    if (status == RL_OK && o->n_axes > 0 && p->study->check_scene)
+        status = check_scenes(p, error);
     return status == RL_OK ? name_grid(&p->run, o, error) : status;
 }
 

@@ -171,6 +171,22 @@ static const struct rl_figure figures[] = {
      "centre. Grey: the paper's 4, and 1024, the most that the shaders take."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    RL_SWEEP_RR(NULL),
+    {.name = "samples",
+     .of = "series=methods method=random",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 1,
+     .high = 1024,
+     .together = 32},
+    RL_SWEEP_NORMAL_SIZE(NULL),
+    RL_SWEEP_SEEDS("method=random"),
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+    RL_SWEEP_TOLERANCE(NULL),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_roughness = {
@@ -189,6 +205,7 @@ const struct rl_study rl_study_roughness = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .measure = rl_roughness_measure,
     .judge = rl_roughness_judge,
 };

@@ -210,6 +210,26 @@ static const struct rl_figure figures[] = {
              "frames."},
 };
 
+/* What tells arms apart is not among them. */
+static const struct rl_sweep sweeps[] = {
+    {.name = "samples",
+     .of = "series=methods",
+     .kind = RL_SWEEP_WHOLE,
+     .low = 1,
+     .high = 1024,
+     .together = 28},
+    {.name = "samples", .of = "series=floor", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
+    RL_SWEEP_RR(NULL),
+    RL_SWEEP_ENV_SIZE("series=floor"),
+    RL_SWEEP_SEEDS("series=methods method=random"),
+    RL_SWEEP_SEEDS("series=floor"),
+    {.name = "rounds", .of = "series=methods", .kind = RL_SWEEP_WHOLE, .low = 0, .high = 100000},
+    {.name = "rounds", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 0, .high = 100000},
+    RL_SWEEP_PIXELS("width", NULL),
+    RL_SWEEP_PIXELS("height", NULL),
+    RL_SWEEP_TOLERANCE(NULL),
+};
+
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
 const struct rl_study rl_study_samples = {
@@ -229,6 +249,7 @@ const struct rl_study rl_study_samples = {
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
+    .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .check = rl_seeds_check,
     .measure = rl_samples_measure,
     .judge = rl_samples_judge,

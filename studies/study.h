@@ -62,8 +62,11 @@ struct rl_study {
     /* The same for the cases that no scene enters into, planned before any scene's; NULL: there are none. */
     int (*plan_alone)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
                       struct rl_error *error);
-    /* What of an axis' values (`study run --axis`) only this study can tell; NULL: what axis.h says suffices. */
+    /* The parameters of its cases that `study run --axis` may replace. */
+    struct rl_sweeps sweeps;
+    /* What of swept cases only this study can tell, and whether the scene allows for it (RL_ERR_INPUT: why not); either NULL: nothing. */
     rl_parameters_check *check;
+    int (*check_scene)(const char *parameters, const struct rl_scene *scene, struct rl_error *error);
     /* Measures the n records of one group: fills metrics and series. An error makes the group's cases failed ones. `scene` is NULL
      * for those of plan_alone. */
     int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,

@@ -65,7 +65,7 @@ static int list(const struct rl_arguments *a, struct rl_error *error)
     if (status != RL_OK)
         return rl_exit_of(status);
     struct rl_rows rows;
-    rl_rows_begin(&rows, format, (const char *[]){"study", "summary", "scenes", NULL});
+    rl_rows_begin(&rows, format, (const char *[]){"study", "summary", "scenes", "axes", NULL});
     for (size_t i = 0; i < rl_n_studies; i++) {
         char scenes[256] = "";
         for (const char *const *s = rl_studies[i]->scenes; *s; s++) {
@@ -75,6 +75,9 @@ static int list(const struct rl_arguments *a, struct rl_error *error)
         rl_rows_text(&rows, rl_studies[i]->name);
         rl_rows_text(&rows, rl_studies[i]->summary);
         rl_rows_text(&rows, scenes);
+        char axes[256];
+        rl_sweep_names(axes, sizeof axes, rl_studies[i]->sweeps.sweep, rl_studies[i]->sweeps.n);
+        rl_rows_text(&rows, axes);
     }
     rl_rows_end(&rows);
     return rl_exit_of(rl_output_check(error));
@@ -133,6 +136,23 @@ static void print_each(const struct rl_table *tables, size_t n)
         print_columns(tables[t].name, tables[t].summary, tables[t].column, tables[t].n_columns, true);
 }
 
+/* What --axis takes, study by study. */
+static void print_axes(void)
+{
+    printf(
+        "\nWhat --axis may replace, of which cases, by what. Whatever tells a study's cases apart stays.\n");
+    for (size_t i = 0; i < rl_n_studies; i++) {
+        const struct rl_sweeps *sweeps = &rl_studies[i]->sweeps;
+        printf("\n  %s\n", rl_studies[i]->name);
+        for (size_t k = 0; k < sweeps->n; k++) {
+            char values[256];
+            rl_sweep_values(values, sizeof values, &sweeps->sweep[k]);
+            printf("    %-13s%s%s%s%s\n", sweeps->sweep[k].name, values, sweeps->sweep[k].of ? " (of " : "",
+                   sweeps->sweep[k].of ? sweeps->sweep[k].of : "", sweeps->sweep[k].of ? ")" : "");
+        }
+    }
+}
+
 static void print_tables(void)
 {
     static const struct rl_column samples[] = {{.name = "study"},  {.name = "scene"}, {.name = "parameters"},
@@ -168,6 +188,12 @@ static void print_tables(void)
                   provenance, sizeof provenance / sizeof provenance[0], false);
     print_columns("claims", "every claim with its verdict and the command that reproduces it", claims,
                   sizeof claims / sizeof claims[0], false);
+}
+
+static void print_more(void)
+{
+    print_axes();
+    print_tables();
 }
 
 static int make_report(const struct rl_arguments *a, struct rl_error *error)
@@ -249,8 +275,9 @@ const struct rl_command rl_command_study = {
         "  roughlight study run samples fps --quick --db quick.db\n"
         "  roughlight study report --db quick.db -o quick-report\n"
         "\n"
-        "Other values than the study's own: --axis. A group of cases that are timed together becomes one for "
-        "each value.\n"
+        "Other values than the study's own: --axis, of the parameters that are listed below. Values are "
+        "checked "
+        "before anything is measured.\n"
         "\n"
         "  roughlight study run samples --quick --axis rr=1:1000:log4 --axis samples=1,4,16\n"
         "\n"
@@ -270,6 +297,6 @@ const struct rl_command rl_command_study = {
         "  roughlight study check --baseline tests/baseline.tsv >check.tsv\n"
         "  roughlight study check --write tests/baseline.tsv               (after a change that was meant)",
     .options = options,
-    .more_help = print_tables,
+    .more_help = print_more,
     .run = run,
 };

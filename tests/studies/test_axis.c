@@ -87,6 +87,21 @@ static void make_run(struct rl_run *run)
     add(run, 6, "arm=c points=9 seeds=2 share=0.5 offset=-3");
 }
 
+static const struct rl_sweep made_up[] = {
+    RL_SWEEP_RR(NULL),
+    {.name = "samples", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
+    {.name = "normal_bits", .kind = RL_SWEEP_WORD, .words = rl_sweep_normal_bits},
+    RL_SWEEP_NORMAL_SIZE(NULL),
+    {.name = "points", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 100},
+    {.name = "seeds", .of = "arm=c", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 64},
+    {.name = "share", .kind = RL_SWEEP_REAL, .low = 0.01, .high = 1},
+    {.name = "offset", .kind = RL_SWEEP_WHOLE, .low = -9, .high = 9},
+    {.name = "env_size", .of = "base=0", .kind = RL_SWEEP_WHOLE, .low = 8, .high = 64, .together = 3},
+    {.name = "margin", .kind = RL_SWEEP_REAL, .low = 0, .high = 10, .together = 3, .named_by = "arm"},
+    {.name = "rounds", .kind = RL_SWEEP_WHOLE, .low = 0, .high = 9},
+};
+static const struct rl_sweeps sweeps = {made_up, sizeof made_up / sizeof made_up[0]};
+
 static int apply(struct rl_run *run, const char *first, const char *second, rl_parameters_check *check,
                  struct rl_error *error)
 {
@@ -96,7 +111,7 @@ static int apply(struct rl_run *run, const char *first, const char *second, rl_p
     check_ok(rl_axis_parse(&axis[0], first, error), error);
     if (second)
         check_ok(rl_axis_parse(&axis[1], second, error), error);
-    int status = rl_axes_apply(run, axis, second ? 2 : 1, check, error);
+    int status = rl_axes_apply(run, axis, second ? 2 : 1, &sweeps, check, error);
     free(axis);
     return status;
 }
@@ -171,6 +186,54 @@ static void test_rounding(void **state)
     }
 }
 
+static void make_arms(struct rl_run *run)
+{
+    *run = (struct rl_run){.study = "made-up"};
+    add(run, 0, "arm=off margin=off rr=3 rounds=0");
+    add(run, 0, "arm=huge margin=1e6 rr=3 rounds=0");
+    add(run, 0, "arm=0.5 margin=0.5 rr=3 rounds=0");
+    add(run, 1, "arm=off margin=off rr=30 rounds=5");
+    add(run, 1, "arm=huge margin=1e6 rr=30 rounds=5");
+    add(run, 1, "arm=0.5 margin=0.5 rr=30 rounds=5");
+    add(run, 2, "base=1 env_size=64 normal_size=64");
+    add(run, 2, "base=0 env_size=16 normal_size=64");
+    add(run, 2, "base=0 env_size=32 normal_size=64");
+}
+
+/* What tells arms apart stays, and what was meant side by side is one group. */
+static void test_arms(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    struct rl_error error;
+    make_arms(&run);
+    /* The untimed group becomes the same as the timed one, but for its clock. */
+    check_ok(apply(&run, "rr=9", "margin=0.1,2", NULL, &error), &error);
+    static const char *const margins[] = {
+        "0 arm=off margin=off rr=9 rounds=5",  "0 arm=huge margin=1e6 rr=9 rounds=5",
+        "0 arm=0.1 margin=0.1 rr=9 rounds=5",  "0 arm=2 margin=2 rr=9 rounds=5",
+        "1 base=1 env_size=64 normal_size=64", "1 base=0 env_size=16 normal_size=64",
+        "1 base=0 env_size=32 normal_size=64"};
+    for (size_t i = 0; i < run.n_records; i++) /* numbers of groups may have gaps */
+        run.record[i].group = i >= 4;
+    expect(&run, margins, 7);
+    check_ok(apply(&run, "env_size=8", NULL, NULL, &error), &error);
+    assert_int_equal(run.n_records, 6);
+    assert_string_equal(run.record[4].parameters, "base=1 env_size=64 normal_size=64");
+    assert_string_equal(run.record[5].parameters, "base=0 env_size=8 normal_size=64");
+    assert_int_equal(run.record[4].group, run.record[5].group);
+    check_fails(apply(&run, "env_size=8,9,10,11", NULL, NULL, &error), &error, RL_ERR_INPUT,
+                "found 4 values, expected at most 3");
+    check_fails(apply(&run, "normal_size=96", NULL, NULL, &error), &error, RL_ERR_INPUT,
+                "found '96', expected a power of two from 64 to 2048");
+    rl_run_clear(&run);
+    /* Who asks for both gets both. */
+    make_arms(&run);
+    check_ok(apply(&run, "rr=9", "rounds=0,5", NULL, &error), &error);
+    assert_int_equal(run.n_records, 2 * 3 + 3);
+    rl_run_clear(&run);
+}
+
 static int no_threes(const char *parameters, struct rl_error *error)
 {
     return rl_parameters_match(parameters, "points=3") ? rl_fail(error, RL_ERR_INPUT, "three is a crowd")
@@ -183,21 +246,21 @@ static void test_refused(void **state)
     static const struct {
         const char *axis, *words;
     } row[] = {
-        {"roughness=3",
-         "expected one of arm, method, samples, rr, normal_bits, points, seeds, share, offset"},
-        {"arm=d", "found 'd', expected one of a, b, c"},
-        {"samples=0", "found '0', expected a whole number above 0"},
-        {"samples=2.5", "found '2.5', expected a whole number above 0"},
-        {"samples=4000", "expected 1 to 1024"},
+        {"roughness=3", "no parameter of the study made-up, expected one of rr, samples, normal_bits"},
+        {"arm=d", "told apart by in the study made-up and is not replaced, expected one of rr, samples"},
+        {"method=regular", "told apart by in the study made-up and is not replaced, expected one of rr"},
+        {"samples=0", "found '0', expected a whole number from 1 to 1024"},
+        {"samples=2.5", "found '2.5', expected a whole number from 1 to 1024"},
+        {"samples=4000", "expected a whole number from 1 to 1024"},
         {"samples=many", "found 'many', expected a whole number"},
-        {"rr=-1", "expected a number above 0"},
-        {"rr=1e30", "--axis rr=1e+30: --rr"},
-        {"normal_bits=3", "found '3', expected 4 to 16, half or float"},
-        {"method=magic", "no such method"},
-        {"points=1.5", "expected a whole number above 0"},
-        {"offset=x", "expected a whole number"},
-        {"share=-0.5", "expected a number above 0"},
-        {"points=1,3", "--axis points=3: three is a crowd"},
+        {"samples=0:9:lin4", "found '0', expected a whole number from 1"},
+        {"rr=-1", "expected a number from 0.01 to 1e+06"},
+        {"rr=1e30", "expected a number from 0.01 to 1e+06"},
+        {"normal_bits=3", "found '3', expected one of 4, 5, 6"},
+        {"points=1.5", "expected a whole number from 1 to 100"},
+        {"offset=x", "expected a whole number from -9 to 9"},
+        {"share=-0.5", "expected a number from 0.01 to 1"},
+        {"points=1,3", "points=3 seeds=2 share=0.5 offset=-3: three is a crowd"},
     };
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct rl_run run;
@@ -234,8 +297,8 @@ static void test_replace(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parse),   cmocka_unit_test(test_apply),   cmocka_unit_test(test_rounding),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_replace),
+        cmocka_unit_test(test_parse),   cmocka_unit_test(test_apply), cmocka_unit_test(test_rounding),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_arms),  cmocka_unit_test(test_replace),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
