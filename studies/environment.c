@@ -175,6 +175,7 @@ const struct rl_study rl_study_environment = {
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .check_scene = rl_environment_check,
     .measure = rl_environment_measure,
     .judge = rl_environment_judge,
 };

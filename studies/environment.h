@@ -37,6 +37,10 @@ int rl_environment_scene_make(struct rl_scene *copy, const struct rl_scene *scen
                               const struct rl_environment_move *move, struct rl_error *error);
 void rl_environment_scene_free(struct rl_scene *copy);
 
+/* RL_ERR_INPUT where the lights of a series=parallax case (away=A) would reach into the sphere around an object with a highlight: there is
+ * no light in front of its surface then. Up to the scene as it is (A >= 1) nothing is refused. Other cases: RL_OK. */
+int rl_environment_check(const char *parameters, const struct rl_scene *scene, struct rl_error *error);
+
 /* The first object with a highlight; 0 if there is none. */
 size_t rl_environment_object(const struct rl_scene *scene);
 

@@ -62,6 +62,20 @@ static size_t points(const struct rl_judging *j, const char *pattern, const char
     return n;
 }
 
+/* The same from the largest x to the smallest, in whatever order an axis has them. */
+static size_t falling_points(const struct rl_judging *j, const char *pattern, const char *key,
+                             const char *metric, double x[RL_AXIS_MAX], double y[RL_AXIS_MAX])
+{
+    size_t n = points(j, pattern, key, metric, x, y);
+    for (size_t i = 1; i < n; i++)
+        for (size_t k = i; k > 0 && x[k] > x[k - 1]; k--) {
+            double a = x[k], b = y[k];
+            x[k] = x[k - 1], y[k] = y[k - 1];
+            x[k - 1] = a, y[k - 1] = b;
+        }
+    return n;
+}
+
 /* An edge of the light is wrong by half a texel at most: less than in proportion would be a fault. The largest maps are near the one
  * that stands for the truth and look too good: only up to a quarter of it. */
 static int claim_slope(const struct rl_judging *j)
@@ -96,17 +110,19 @@ static int claim_parallax(const struct rl_judging *j)
         return status;
     struct rl_claim *c = &j->claims->claim[j->claims->n - 1];
     double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
-    size_t n = points(j, "series=parallax", "size", "parallax", size, rmse), below = 0;
+    size_t n = falling_points(j, "series=parallax", "size", "parallax", size, rmse), below = 0;
     while (below < n && rmse[below] > RL_STEP_OF_8_BITS)
         below++;
+    const struct rl_metric *own = rl_judging_metric(j, "series=parallax away=1", "size");
+    double here = own ? own->value : NAN;
     if (n > 0 && below == n)
         snprintf(c->note, sizeof c->note,
-                 "object's radius over the light's distance %.3g; the smallest measured, %.3g: %.3g", size[0],
+                 "object's radius over the light's distance %.3g; the smallest measured, %.3g: %.3g", here,
                  size[n - 1], rmse[n - 1]);
     else if (below > 0) {
         double t = log(rmse[below - 1] / RL_STEP_OF_8_BITS) / log(rmse[below - 1] / rmse[below]);
         snprintf(c->note, sizeof c->note,
-                 "object's radius over the light's distance %.3g; 1/255 is reached at %.3g", size[0],
+                 "object's radius over the light's distance %.3g; 1/255 is reached at %.3g", here,
                  size[below - 1] * pow(size[below] / size[below - 1], t));
     }
     return RL_OK;
@@ -121,10 +137,10 @@ static int claim_parallax_slope(const struct rl_judging *j)
         return RL_ERR_SYSTEM;
     c->figure = "parallax";
     double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
-    size_t n = points(j, "series=parallax", "size", "parallax", size, rmse);
+    size_t n = falling_points(j, "series=parallax", "size", "parallax", size, rmse);
     struct rl_interval s = rl_loglog_slope(size, rmse, n, 0.95);
     rl_claim_value(c, s.value, s.low, s.high, "slope");
-    if (n >= 2) /* planned from large to small */
+    if (n >= 2)
         snprintf(c->note, sizeof c->note, "between the two smallest sizes %.3g",
                  log(rmse[n - 2] / rmse[n - 1]) / log(size[n - 2] / size[n - 1]));
     c->verdict = rl_verdict_equals(s.low, s.high, 1.0, 0.15);

@@ -71,6 +71,48 @@ static void test_turned(void **state)
     rl_scene_clear(&scene);
 }
 
+/* The distance of a point from a light, by trying 200 x 200 points of each triangle. */
+static double tried(rl_vec3 p, const struct rl_light *light)
+{
+    double nearest = INFINITY;
+    for (size_t k = 0; k < light->n_polygons; k++)
+        for (int t = 0; t < light->polygon[k].n - 2; t++) {
+            const uint32_t *corner = light->polygon[k].triangle[t];
+            const rl_vec3 *v = light->polygon[k].vertex;
+            rl_vec3 a = v[corner[0]], b = v3_sub(v[corner[1]], a), c = v3_sub(v[corner[2]], a);
+            for (int i = 0; i <= 200; i++)
+                for (int m = 0; m <= 200 - i; m++)
+                    nearest =
+                        fmin(nearest, v3_length(v3_sub(v3_madd(v3_madd(a, i / 200.0, b), m / 200.0, c), p)));
+        }
+    return nearest;
+}
+
+/* An object grows until it meets the first of the lights, no further. */
+static void test_room(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"teapot-star", "sphere-quad", "three-lights"};
+    for (size_t s = 0; s < 3; s++) {
+        struct rl_error error;
+        struct rl_scene scene;
+        check_ok(rl_study_scene_load(&scene, name[s], &error), &error);
+        const struct rl_object *object = &scene.object[rl_environment_object(&scene)];
+        double nearest = INFINITY;
+        for (size_t i = 0; i < scene.n_lights; i++)
+            nearest = fmin(nearest, tried(object->centre, &scene.light[i]));
+        double least = object->radius / nearest;
+        print_message("%s: away from %g on\n", name[s], least);
+        char text[64];
+        snprintf(text, sizeof text, "series=parallax away=%.17g", 1.001 * least);
+        check_ok(rl_environment_check(text, &scene, &error), &error);
+        snprintf(text, sizeof text, "series=parallax away=%.17g", 0.999 * least);
+        check_fails(rl_environment_check(text, &scene, &error), &error, RL_ERR_INPUT, "meets the light '");
+        check_ok(rl_environment_check("series=size base=0 env_size=64", &scene, &error), &error);
+        rl_scene_clear(&scene);
+    }
+}
+
 /* RMSE of a made-up world. */
 struct world {
     double texels_256, slope, bits_8, parallax, parallax_slope, corner, floor_256, floor_1024;
@@ -102,8 +144,11 @@ static void make(struct rl_run *run, const struct world *w)
         assert_int_equal(rl_record_metric_add(r, "floor_map", seen, seen, seen, "1", NULL), RL_OK);
     }
     add(run, "series=format base=0 env_format=rgba8", "rmse_map", w->bits_8);
-    for (int away = 1; away <= 16; away *= 2) {
-        snprintf(text, sizeof text, "series=parallax away=%d", away);
+    /* In no order, and with one larger than the scene's own: as an axis may have them. */
+    static const double distances[] = {4, 1, 0.5, 16, 2, 8};
+    for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+        double away = distances[i];
+        snprintf(text, sizeof text, "series=parallax away=%g", away);
         struct rl_record *r = add(run, text, "parallax", w->parallax * pow(away, -w->parallax_slope));
         assert_int_equal(rl_record_metric_add(r, "size", 0.2 / away, 0.2 / away, 0.2 / away, "1", NULL),
                          RL_OK);
@@ -160,6 +205,7 @@ static void test_flips(void **state)
     w = usual;
     struct rl_claim c = judge(w, parallax);
     assert_int_equal(c.verdict, RL_VERDICT_FAILS);
+    assert_non_null(strstr(c.note, "light's distance 0.2; "));
     assert_non_null(strstr(c.note, "1/255 is reached at 0.0261")); /* 0.2/255/0.03 */
     w.parallax = 0.001;
     assert_int_equal(judge(w, parallax).verdict, RL_VERDICT_HOLDS);
@@ -213,10 +259,8 @@ static void test_plan(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_away),
-        cmocka_unit_test(test_turned),
-        cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_plan),
+        cmocka_unit_test(test_away),  cmocka_unit_test(test_turned), cmocka_unit_test(test_room),
+        cmocka_unit_test(test_flips), cmocka_unit_test(test_plan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,6 +49,8 @@ one="$small --scene teapot-star"
 
 refused "an axis of no study" "no parameter of the study samples, expected one of samples, rr, env_size" study run samples --axis roughness=3 --db "$db"
 refused "one that only one of two studies has" "rr: no parameter of the study fps, expected one of objects" study run samples fps --axis rr=3 --db "$db"
+refused "an object that grows into the light" "found away=0.1, where the object 'sphere' of radius 1 meets the light 'quad'" \
+    study run environment --scene sphere-quad --axis away=0.1 --db "$db"
 # Values that a study could not judge, and keys that tell its cases apart: STUDY AXIS WORDS
 while read -r study axis words; do
     refused "$study --axis $axis" "$words" study run "$study" --axis "$axis" --db "$db"
