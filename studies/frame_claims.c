@@ -4,10 +4,9 @@
 #include <string.h>
 
 #include "studies/frame.h"
+#include "studies/judging.h"
 
 static const double step_of_8_bits = 1.0 / 255.0;
-static const double central_rr =
-    30.0; /* where single figures are taken: the highlight shows the light's shape */
 
 struct view {
     const struct rl_run *run;
@@ -30,6 +29,14 @@ static struct rl_claim *begin_claim(const struct view *v, const char *text)
     return c;
 }
 
+/* The same with "R_r 30" between both parts. */
+static struct rl_claim *begin_claim_at(const struct view *v, const char *before, double rr, const char *after)
+{
+    char text[256];
+    snprintf(text, sizeof text, "%sR_r %g%s", before, rr, after);
+    return begin_claim(v, text);
+}
+
 /* "; R_r 3: 0.031" */
 static void append(char *note, size_t size, const char *what, double value)
 {
@@ -37,11 +44,20 @@ static void append(char *note, size_t size, const char *what, double value)
     snprintf(note + used, size - used, "%s%s: %.3g", used ? "; " : "", what, value);
 }
 
+/* The R_r where single figures are taken: the measured one that is nearest to 30, where the highlight shows the light's shape. */
+static double central_rr(const struct view *v, const char *series)
+{
+    double rr[RL_AXIS_MAX];
+    const struct rl_judging j = {v->run, v->scene, v->claims, v->error};
+    return rl_central_rr(rr, rl_judging_axis(&j, series, "rr", rr));
+}
+
 /* A metric of the series at every R_r goes into the note, that at the central R_r is the claim's number. */
 static const struct rl_metric *over_rr(struct rl_claim *c, const struct view *v, const char *series,
                                        const char *metric, const char *unit)
 {
     const struct rl_metric *central = NULL;
+    double middle = central_rr(v, series);
     for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, series));) {
         const struct rl_metric *m = rl_record_metric(r, metric);
         double rr = rl_parameter_number(r->parameters, "rr");
@@ -50,7 +66,7 @@ static const struct rl_metric *over_rr(struct rl_claim *c, const struct view *v,
             continue;
         snprintf(what, sizeof what, "R_r %g", rr);
         append(c->note, sizeof c->note, what, m->value);
-        if (rr != central_rr)
+        if (rr != middle)
             continue;
         central = m;
         rl_claim_value(c, m->value, m->low, m->high, unit);
@@ -106,14 +122,16 @@ static int claim_half(const struct view *v)
 }
 
 /* A claim about every place of the light at the central R_r: the worst is its number. */
-static int claim_light(const struct view *v, const char *text, const char *metric, double bound)
+static int claim_light(const struct view *v, const char *before, const char *after, const char *metric,
+                       double bound)
 {
-    struct rl_claim *c = begin_claim(v, text);
+    double rr = central_rr(v, "series=light");
+    char pattern[64];
+    struct rl_claim *c = begin_claim_at(v, before, rr, after);
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "highlight";
-    char pattern[64];
-    snprintf(pattern, sizeof pattern, "series=light rr=%g", central_rr);
+    snprintf(pattern, sizeof pattern, "series=light rr=%g", rr);
     for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, pattern));) {
         const struct rl_metric *m = rl_record_metric(r, metric);
         char what[RL_NAME_MAX];
@@ -130,15 +148,15 @@ static int claim_light(const struct view *v, const char *text, const char *metri
 static int claim_scene(const struct view *v)
 {
     static const struct {
-        const char *text, *metric, *unit;
+        const char *before, *after, *metric, *unit;
     } row[] = {
-        {"paper: the printed frame serves: it moves the whole picture at R_r 30 by at most 1/255 (RMSE)",
+        {"paper: the printed frame serves: it moves the whole picture at ", " by at most 1/255 (RMSE)",
          "rmse", "RMSE"},
-        {"paper: the printed frame serves: it moves no pixel of the picture at R_r 30 by more than 1/255",
+        {"paper: the printed frame serves: it moves no pixel of the picture at ", " by more than 1/255",
          "max", "of full scale"},
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-        struct rl_claim *c = begin_claim(v, row[k].text);
+        struct rl_claim *c = begin_claim_at(v, row[k].before, central_rr(v, "series=scene"), row[k].after);
         if (!c)
             return RL_ERR_SYSTEM;
         c->figure = "scene";
@@ -155,17 +173,16 @@ static int judge_alone(const struct view *v)
     for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
         status = claim[k](v);
     if (status == RL_OK)
-        status = claim_light(
-            v,
-            "paper: the printed frame serves: it moves a highlight of R_r 30 by at most 1/255 (RMS over the "
-            "sphere, worst place of the light)",
-            "rms", step_of_8_bits);
+        status = claim_light(v, "paper: the printed frame serves: it moves a highlight of ",
+                             " by at most 1/255 (RMS over the "
+                             "sphere, worst place of the light)",
+                             "rms", step_of_8_bits);
     if (status == RL_OK)
         status = claim_light(
             v,
             "ours: in an orthonormal frame a highlight that turns with the normal is the same everywhere (to "
-            "within 1e-5, R_r 30)",
-            "spread", 1e-5);
+            "within 1e-5, ",
+            ")", "spread", 1e-5);
     return status;
 }
 

@@ -34,10 +34,10 @@ static void metric(struct rl_record *r, const char *name, double value, double r
     r->status = RL_RECORD_OK;
 }
 
-/* Other R_r than the central one are as they should be: they must not decide. */
-static void make(struct rl_run *run, const struct world *w)
+/* Other R_r than the central one, which is nearest to 30, are as they should be: they must not decide. */
+static void make_at(struct rl_run *run, const struct world *w, double central)
 {
-    static const double rr[] = {3.0, 30.0};
+    const double rr[] = {3.0, central};
     *run = (struct rl_run){.study = "frame", .grid = "default"};
     for (size_t i = 0; i < 2; i++) {
         struct rl_record *r = rl_run_add(run, &alone, 0, NULL, "series=lobe rr=%g", rr[i]);
@@ -55,6 +55,11 @@ static void make(struct rl_run *run, const struct world *w)
     }
 }
 
+static void make(struct rl_run *run, const struct world *w)
+{
+    make_at(run, w, 30.0);
+}
+
 static struct rl_claim judge(struct world w, const char *words)
 {
     struct rl_run run;
@@ -62,6 +67,27 @@ static struct rl_claim judge(struct world w, const char *words)
     struct rl_claim found = claim_of("frame", &run, words);
     rl_run_clear(&run);
     return found;
+}
+
+/* Off the study's own grid the R_r that is nearest to 30 is judged, and the claim says which. */
+static void another_rr_is_judged(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"is a rotation",
+                                        "half its width",
+                                        "a highlight of R_r 20 by",
+                                        "1e-5, R_r 20)",
+                                        "whole picture at R_r 20 by",
+                                        "picture at R_r 20 by more"};
+    const double expected[] = {usual.width, usual.half, usual.rms, usual.spread, usual.rmse, usual.max};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        struct rl_run run;
+        make_at(&run, &usual, 20.0);
+        struct rl_claim c = claim_of("frame", &run, words[i]);
+        rl_run_clear(&run);
+        assert_true(c.verdict != RL_VERDICT_INCONCLUSIVE);
+        check_near(c.value, expected[i], 0.0);
+    }
 }
 
 static void verdicts_flip(void **state)
@@ -229,6 +255,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(verdicts_flip),
+        cmocka_unit_test(another_rr_is_judged),
         cmocka_unit_test(nothing_measured),
         cmocka_unit_test(what_is_known_is_measured),
         cmocka_unit_test(every_grid_has_what_claims_need),
