@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/hash.h"
+#include "studies/axis_merge.h"
 #include "studies/bench.h"
 
 static int fail_form(struct rl_error *error, const char *text)
@@ -187,73 +187,6 @@ static int expand_group(struct rl_run *out, const struct rl_run *run, size_t fir
     return status;
 }
 
-static uint64_t hash_case(const struct rl_record *r)
-{
-    uint64_t hash = rl_hash_bytes(RL_HASH_START, r->scene, strlen(r->scene) + 1);
-    return rl_hash_bytes(hash, r->parameters, strlen(r->parameters));
-}
-
-static bool same_case(const struct rl_record *a, const struct rl_record *b)
-{
-    return strcmp(a->scene, b->scene) == 0 && strcmp(a->parameters, b->parameters) == 0;
-}
-
-/* Keeps the first of cases that are the same. Planned records own nothing, so that one may be copied over another. */
-static int merge_same(struct rl_run *run, struct rl_error *error)
-{
-    /* An open hash table of the kept records' numbers, plus one; at most half full. */
-    size_t size = 16, kept = 0;
-    while (size < 2 * run->n_records)
-        size *= 2;
-    size_t *table = calloc(size, sizeof *table);
-    if (!table)
-        return rl_fail_memory(error, "a list of cases");
-    for (size_t i = 0; i < run->n_records; i++) {
-        size_t at = hash_case(&run->record[i]) & (size - 1);
-        while (table[at] && !same_case(&run->record[table[at] - 1], &run->record[i]))
-            at = (at + 1) & (size - 1);
-        if (table[at])
-            continue;
-        if (kept != i)
-            run->record[kept] = run->record[i];
-        table[at] = ++kept;
-    }
-    run->n_records = kept;
-    free(table);
-    return RL_OK;
-}
-
-/* What a case is measured for beside its errors: how many rounds it is timed, the columns of a map, a series kept. */
-static const char *const extras[] = {"rounds", "columns", "keep"};
-
-/* Whether two cases are the same but that the second has more of that kind. */
-static bool has_more(const struct rl_record *without, const struct rl_record *with, const char *key)
-{
-    char stripped[RL_PARAMETERS_MAX];
-    return rl_parameter_number(with->parameters, key) > 0.0 && strcmp(without->scene, with->scene) == 0 &&
-           rl_parameters_replace(stripped, with->parameters, key, "0", NULL) == RL_OK &&
-           strcmp(stripped, without->parameters) == 0;
-}
-
-/* A study measures a case twice, timed and not, only where it is of two R_r, say. Where an axis makes them the same, that with the clock
- * is enough; with both, a judge would find the one without. */
-static void drop_less(struct rl_run *run, const char *key)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < run->n_records; i++) {
-        bool less = false;
-        if (rl_parameter_number(run->record[i].parameters, key) == 0.0)
-            for (size_t k = 0; k < run->n_records && !less; k++)
-                less = k != i && (k < kept || k > i) && has_more(&run->record[i], &run->record[k], key);
-        if (less)
-            continue;
-        if (kept != i)
-            run->record[kept] = run->record[i];
-        kept++;
-    }
-    run->n_records = kept;
-}
-
 static int apply(struct rl_run *run, const struct rl_axis *axis, const struct rl_sweeps *sweeps,
                  struct rl_error *error)
 {
@@ -265,7 +198,7 @@ static int apply(struct rl_run *run, const struct rl_axis *axis, const struct rl
         status = expand_group(&out, run, first, end, axis, sweeps, error);
     }
     if (status == RL_OK)
-        status = merge_same(&out, error);
+        status = rl_axis_merge(&out, error);
     if (status != RL_OK) {
         rl_run_clear(&out);
         return status;
@@ -371,8 +304,8 @@ int rl_axes_apply(struct rl_run *run, const struct rl_axis *axes, size_t n_axes,
         return rl_fail_memory(error, "an axis");
     int status = apply_all(run, axes, n_axes, axis, sweeps, error);
     free(axis);
-    for (size_t k = 0; k < sizeof extras / sizeof extras[0] && status == RL_OK; k++)
-        if (!swept(axes, n_axes, extras[k])) /* who asks for several gets them */
-            drop_less(run, extras[k]);
+    for (size_t k = 0; rl_axis_extras[k] && status == RL_OK; k++)
+        if (!swept(axes, n_axes, rl_axis_extras[k])) /* who asks for several gets them */
+            rl_axis_drop_less(run, rl_axis_extras[k]);
     return status == RL_OK ? check_cases(run, check, error) : status;
 }

@@ -227,6 +227,15 @@ static void test_arms(void **state)
     check_fails(apply(&run, "normal_size=96", NULL, NULL, &error), &error, RL_ERR_INPUT,
                 "found '96', expected a power of two from 64 to 2048");
     rl_run_clear(&run);
+    /* What is in two groups stays in the larger one, with what it is held against. */
+    run = (struct rl_run){.study = "made-up"};
+    add(&run, 0, "arm=a rr=3");
+    add(&run, 1, "arm=b rr=30");
+    add(&run, 1, "arm=a rr=30");
+    check_ok(apply(&run, "rr=9", NULL, NULL, &error), &error);
+    static const char *const larger[] = {"1 arm=b rr=9", "1 arm=a rr=9"};
+    expect(&run, larger, 2);
+    rl_run_clear(&run);
     /* Who asks for both gets both. */
     make_arms(&run);
     check_ok(apply(&run, "rr=9", "rounds=0,5", NULL, &error), &error);
