@@ -101,7 +101,8 @@ check "a case made by hand has the same figures" "$tmp/samples.tsv" '
 for study in frame distribution samples; do # as the report gives them to its plots
     awk -F '\t' -v study=$study 'NR == 1 || $1 == study' "$tmp/200/frame_times.tsv" >"$tmp/200/${study}_raw.tsv"
 done
-for figure in frame-map frame-width frame-highlight distribution-pictures distribution-histogram environment-size environment-format \
+# (The pictures of distribution are of one R_r, which no axis replaces.)
+for figure in frame-map frame-width frame-highlight distribution-histogram environment-size environment-format \
     environment-parallax environment-seam samples-split samples-floor samples-time; do
     n=$((n + 1))
     study=${figure%%-*} scene=sphere-quad

@@ -1,8 +1,9 @@
-/* Shares of a plan: which group is in which. */
+/* Shares of a plan: which group is in which; scenes by name and by path. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -35,8 +36,22 @@ static void test_share_of_a_group(void **state)
     rl_run_clear(&back);
 }
 
+static void test_scenes(void **state)
+{
+    (void)state;
+    struct rl_scene scene = {0};
+    struct rl_error error = {0};
+    assert_int_equal(rl_study_scene_load(&scene, "teapot-star", &error), RL_OK);
+    rl_scene_clear(&scene);
+    assert_int_equal(rl_study_scene_load(&scene, "studies/scenes/sphere-quad.yaml", &error), RL_OK);
+    rl_scene_clear(&scene);
+    assert_int_equal(rl_study_scene_load(&scene, "no-such-scene", &error), RL_ERR_INPUT);
+    assert_non_null(strstr(error.message, "no-such-scene"));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_share_of_a_group)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_share_of_a_group),
+                                       cmocka_unit_test(test_scenes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
