@@ -200,7 +200,7 @@ static void print_reruns(const struct rl_reruns *reruns, enum rl_output format)
     struct rl_rows rows;
     rl_rows_begin(&rows, format,
                   (const char *[]){"scene", "parameters", "metric", "runs", "alarms", "smallest_p",
-                                   "distance_from_uniform", "fit_p", NULL});
+                                   "baseline_offset", "distance_from_uniform", "fit_p", NULL});
     for (size_t i = 0; i < reruns->n; i++) {
         const struct rl_rerun_row *row = &reruns->row[i];
         rl_rows_text(&rows, row->before->scene);
@@ -209,6 +209,7 @@ static void print_reruns(const struct rl_reruns *reruns, enum rl_output format)
         rl_rows_integer(&rows, (long long)row->n);
         rl_rows_integer(&rows, (long long)row->alarms);
         rl_rows_number(&rows, row->smallest_p);
+        rl_rows_number(&rows, row->offset);
         rl_rows_number(&rows, row->distance);
         rl_rows_number(&rows, row->fit_p);
     }
@@ -244,8 +245,9 @@ static int compare_often(struct rl_check *check, const struct rl_baseline *befor
         status = run_once(&reruns, check, before, q, run, error);
         rl_progress_update(progress, "runs", (size_t)run + 1, (size_t)q->runs);
     }
+    if (status == RL_OK)
+        status = rl_reruns_judge(&reruns, error);
     if (status == RL_OK) {
-        rl_reruns_judge(&reruns);
         print_reruns(&reruns, q->format);
         fprintf(stderr,
                 "%zu runs of %zu tests: %zu with an alarm; smallest p, corrected for all: %.3g; p values "

@@ -19,19 +19,21 @@ static int find_row(struct rl_rerun_row **found, struct rl_reruns *reruns,
         return rl_fail_memory(error, "reruns");
     reruns->row = more;
     *found = &more[reruns->n++];
-    **found = (struct rl_rerun_row){.before = before, .smallest_p = 1.0, .distance = NAN, .fit_p = NAN};
+    **found = (struct rl_rerun_row){
+        .before = before, .smallest_p = 1.0, .offset = NAN, .distance = NAN, .fit_p = NAN};
     return RL_OK;
 }
 
-static int add_p(struct rl_rerun_row *row, const struct rl_regression *result, struct rl_error *error)
+static int add_run(struct rl_rerun_row *row, const struct rl_compared *compared, struct rl_error *error)
 {
-    double *more = realloc(row->p, (row->n + 1) * sizeof *more);
+    struct rl_mean *more = realloc(row->run, (row->n + 1) * sizeof *more);
     if (!more)
         return rl_fail_memory(error, "reruns");
-    row->p = more;
-    row->p[row->n++] = result->p;
-    row->smallest_p = fmin(row->smallest_p, result->p);
-    row->alarms += result->verdict == RL_CHANGE_WORSE || result->verdict == RL_CHANGE_BETTER;
+    const struct rl_regression *r = &compared->result;
+    row->run = more;
+    row->run[row->n++] = compared->now->mean;
+    row->smallest_p = fmin(row->smallest_p, r->p);
+    row->alarms += r->verdict == RL_CHANGE_WORSE || r->verdict == RL_CHANGE_BETTER;
     return RL_OK;
 }
 
@@ -49,7 +51,7 @@ int rl_reruns_add(struct rl_reruns *reruns, const struct rl_comparison *c, struc
         struct rl_rerun_row *row;
         status = find_row(&row, reruns, compared->before, error);
         if (status == RL_OK)
-            status = add_p(row, &compared->result, error);
+            status = add_run(row, compared, error);
     }
     reruns->runs++;
     reruns->alarmed_runs += alarmed;
@@ -62,34 +64,70 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static double distance_from_uniform(double p[], size_t n)
+/* All values of all runs but one as one sample; `without` = n leaves none out. */
+static struct rl_mean pool(const struct rl_rerun_row *row, size_t without)
 {
-    double largest = 0.0;
-    qsort(p, n, sizeof *p, ascending);
-    for (size_t i = 0; i < n; i++)
-        largest = fmax(largest, fmax((double)(i + 1) / (double)n - p[i], p[i] - (double)i / (double)n));
-    return largest;
+    double n = 0.0, sum = 0.0, squares = 0.0;
+    for (size_t i = 0; i < row->n; i++)
+        if (i != without) {
+            n += (double)row->run[i].n;
+            sum += (double)row->run[i].n * row->run[i].value;
+        }
+    double mean = sum / n;
+    for (size_t i = 0; i < row->n; i++)
+        if (i != without) {
+            const struct rl_mean *m = &row->run[i];
+            squares += ((double)m->n - 1.0) * m->deviation * m->deviation +
+                       (double)m->n * (m->value - mean) * (m->value - mean);
+        }
+    return (struct rl_mean){mean, sqrt(squares / (n - 1.0)), (size_t)n};
 }
 
-void rl_reruns_judge(struct rl_reruns *reruns)
+static int judge_row(struct rl_rerun_row *row, struct rl_error *error)
+{
+    double *p = malloc(row->n * sizeof *p);
+    if (!p)
+        return rl_fail_memory(error, "reruns");
+    for (size_t i = 0; i < row->n; i++) {
+        struct rl_regression r;
+        struct rl_mean others = pool(row, i);
+        rl_regression_random(&r, &others, &row->run[i], RL_BEST_SAME, INFINITY, 0.5);
+        p[i] = r.p;
+    }
+    qsort(p, row->n, sizeof *p, ascending);
+    row->distance = 0.0;
+    for (size_t i = 0; i < row->n; i++)
+        row->distance = fmax(
+            row->distance, fmax((double)(i + 1) / (double)row->n - p[i], p[i] - (double)i / (double)row->n));
+    row->fit_p = rl_kolmogorov_p(row->distance, row->n);
+    free(p);
+    return RL_OK;
+}
+
+int rl_reruns_judge(struct rl_reruns *reruns, struct rl_error *error)
 {
     double smallest_p = 1.0, smallest_fit = 1.0, tests = 0.0;
     for (size_t i = 0; i < reruns->n; i++) {
         struct rl_rerun_row *row = &reruns->row[i];
-        row->distance = distance_from_uniform(row->p, row->n);
-        row->fit_p = rl_kolmogorov_p(row->distance, row->n);
+        const struct rl_mean all = pool(row, row->n), *before = &row->before->mean;
+        row->offset = (before->value - all.value) /
+                      (all.deviation * sqrt(1.0 / (double)before->n + 1.0 / (double)all.n));
+        int status = row->n > 1 ? judge_row(row, error) : RL_OK;
+        if (status != RL_OK)
+            return status;
         smallest_p = fmin(smallest_p, row->smallest_p);
-        smallest_fit = fmin(smallest_fit, row->fit_p);
+        smallest_fit = fmin(smallest_fit, row->fit_p); /* fmin leaves NaN out */
         tests += (double)row->n;
     }
     reruns->smallest_p = reruns->n ? rl_sidak_p(smallest_p, tests) : NAN;
     reruns->smallest_fit_p = reruns->n ? rl_sidak_p(smallest_fit, (double)reruns->n) : NAN;
+    return RL_OK;
 }
 
 void rl_reruns_clear(struct rl_reruns *reruns)
 {
     for (size_t i = 0; i < reruns->n; i++)
-        free(reruns->row[i].p);
+        free(reruns->row[i].run);
     free(reruns->row);
     *reruns = (struct rl_reruns){0};
 }

@@ -12,6 +12,7 @@
 
 #include "base/files.h"
 #include "measure/goodness.h"
+#include "measure/noise.h"
 #include "results/baseline.h"
 #include "results/reruns.h"
 #include "support/check.h"
@@ -256,17 +257,58 @@ static void corrected(void **state)
     struct rl_reruns reruns = {0};
     check_ok(rl_reruns_add(&reruns, &c, &error), &error);
     check_ok(rl_reruns_add(&reruns, &c, &error), &error);
-    rl_reruns_judge(&reruns);
+    check_ok(rl_reruns_judge(&reruns, &error), &error);
     assert_true(reruns.runs == 2 && reruns.n == 3 && reruns.alarmed_runs == 0);
     assert_true(reruns.row[2].n == 2 && reruns.row[2].smallest_p == p);
-    /* Twice the same p: the step from 0 to 1 there. */
-    check_near(reruns.row[2].distance, fmax(p, 1.0 - p), 1e-15);
-    check_near(reruns.row[2].fit_p, rl_kolmogorov_p(fmax(p, 1.0 - p), 2), 1e-15);
     check_near(reruns.smallest_p, rl_sidak_p(p, 6.0), 1e-15);
+    /* Both runs are the same, so p of each against the other is 1: as far from uniform as can be. */
+    check_near(reruns.row[2].distance, 1.0, 1e-15);
+    check_near(reruns.row[2].fit_p, rl_kolmogorov_p(1.0, 2), 1e-15);
+    /* 100 values that deviate by sqrt(2 x 49 x 0.01^2/99), 50 of the baseline, 0.004 apart. */
+    double deviation = sqrt(98.0 / 99.0) * 0.01;
+    check_near(reruns.row[2].offset, -0.004 / (deviation * sqrt(1.0 / 50.0 + 1.0 / 100.0)), 1e-9);
     rl_reruns_clear(&reruns);
     rl_comparison_clear(&c);
     rl_baseline_clear(&before);
     rl_baseline_clear(&now);
+}
+
+/* Runs of normal values against a baseline that is off by three standard errors: p values against the other runs are uniform all the same.
+ * With a deviation that is too small they are not. Seeds 1 to 200. */
+static void reruns(void **state)
+{
+    (void)state;
+    enum { RUNS = 200, N = 8 };
+    for (int wrong = 0; wrong < 2; wrong++) {
+        struct rl_baseline before = {0};
+        struct rl_reruns reruns = {0};
+        struct rl_baseline_row r = a_random_row;
+        r.mean = (struct rl_mean){3.0 / sqrt(128.0), 1.0, 128};
+        check_ok(rl_baseline_add(&before, &r, &error), &error);
+        for (uint64_t k = 1; k <= RUNS; k++) {
+            struct rl_baseline now = {0};
+            struct rl_comparison c;
+            double value[N];
+            for (uint64_t i = 0; i < N; i++)
+                value[i] = noise(k, i);
+            r.mean = rl_mean_of(value, N);
+            r.mean.value *= wrong ? 1.5 : 1.0;
+            check_ok(rl_baseline_add(&now, &r, &error), &error);
+            check_ok(rl_baseline_compare(&c, &before, &now, 1e-4, &error), &error);
+            check_ok(rl_reruns_add(&reruns, &c, &error), &error);
+            rl_comparison_clear(&c);
+            rl_baseline_clear(&now);
+        }
+        check_ok(rl_reruns_judge(&reruns, &error), &error);
+        assert_true(reruns.n == 1 && reruns.row[0].n == RUNS);
+        if (wrong)
+            assert_true(reruns.smallest_fit_p < 1e-3);
+        else
+            assert_true(reruns.smallest_fit_p > 0.01);
+        check_near(reruns.row[0].offset, 3.0, 1.0);
+        rl_reruns_clear(&reruns);
+        rl_baseline_clear(&before);
+    }
 }
 
 static int set_up(void **state)
@@ -288,6 +330,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(written_and_read), cmocka_unit_test(broken_files), cmocka_unit_test(lines),
         cmocka_unit_test(comparisons),      cmocka_unit_test(gone),         cmocka_unit_test(corrected),
+        cmocka_unit_test(reruns),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
