@@ -49,7 +49,7 @@ void rl_sweep_values(char text[], size_t size, const struct rl_sweep *sweep)
                                        [RL_SWEEP_POWER_OF_TWO] = "a power of two"};
     text[0] = '\0';
     if (sweep->kind == RL_SWEEP_WORD)
-        for (const char *const *word = sweep->words; *word; word++)
+        for (const char *const *word = sweep->words; word && *word; word++)
             append(text, size, *word, word[1] ? ", " : " or ");
     else
         snprintf(text, size, "%s from %g to %g", kind[sweep->kind], sweep->low, sweep->high);

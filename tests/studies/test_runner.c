@@ -286,7 +286,7 @@ static void test_shards(void **state)
         assert_int_equal(share[g], 1);
 }
 
-/* An axis reaches a study that knows nothing of it, and the claims' command has it. */
+/* An axis reaches what a study lets it replace, and the claims' command has it. */
 static void test_axis(void **state)
 {
     (void)state;
