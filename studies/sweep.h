@@ -23,11 +23,11 @@ struct rl_sweep {
     const char *
         of; /* "series=methods": only in cases that match; others keep what they have; NULL: in all that have the parameter */
     enum rl_sweep_kind kind;
-    double low, high;         /* of numbers, both included */
-    const char *const *words; /* of RL_SWEEP_WORD, NULL at the end */
     /* 0: each value makes a group of its own. Else values stay in the case's group, side by side with what they are held against and timed
      * with; at most so many of them. */
     int together;
+    double low, high;         /* of numbers, both included */
+    const char *const *words; /* of RL_SWEEP_WORD, NULL at the end */
     const char
         *named_by; /* only in cases where this key has the same number, and gets the new one too; or NULL */
 };
