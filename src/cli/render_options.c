@@ -149,8 +149,11 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
 const char *rl_argument_backend(const struct rl_arguments *arguments)
 {
     const char *given = rl_argument(arguments, "backend");
-    if (given)
-        return given;
+    return given ? given : rl_environment_backend();
+}
+
+const char *rl_environment_backend(void)
+{
     const char *variable = getenv("ROUGHLIGHT_BACKEND");
     return variable && *variable ? variable : "auto";
 }

@@ -14,6 +14,8 @@ int rl_argument_settings(struct rl_settings *settings, const struct rl_arguments
 
 /* --backend, else ROUGHLIGHT_BACKEND, else "auto". */
 const char *rl_argument_backend(const struct rl_arguments *arguments);
+/* ROUGHLIGHT_BACKEND, else "auto". */
+const char *rl_environment_backend(void);
 
 /* --threads, else ROUGHLIGHT_THREADS, else 0: as many as the process may use. A number is passed on to Mesa's software renderer
  * as LP_NUM_THREADS, which it reads when the first context is opened, unless that variable is set already. */

@@ -48,6 +48,7 @@
     X(PFNGLDEPTHFUNCPROC, DepthFunc)                               \
     X(PFNGLDEPTHMASKPROC, DepthMask)                               \
     X(PFNGLDISABLEPROC, Disable)                                   \
+    X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)                   \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                             \
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                         \
     X(PFNGLENABLEPROC, Enable)                                     \
@@ -60,6 +61,7 @@
     X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                 \
     X(PFNGLGENTEXTURESPROC, GenTextures)                           \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                   \
+    X(PFNGLGETBUFFERSUBDATAPROC, GetBufferSubData)                 \
     X(PFNGLGETERRORPROC, GetError)                                 \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                           \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)               \
@@ -69,6 +71,7 @@
     X(PFNGLGETSTRINGPROC, GetString)                               \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)             \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                           \
+    X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                       \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                           \
     X(PFNGLREADPIXELSPROC, ReadPixels)                             \
     X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)           \

@@ -89,12 +89,14 @@ static int compile(GLuint *out, struct rl_gl *gl, GLenum stage, const char *sour
     return RL_OK;
 }
 
-static int link_shaders(struct rl_gl *gl, GLuint id, GLuint vertex, GLuint fragment,
+/* `second` may be 0. */
+static int link_shaders(struct rl_gl *gl, GLuint id, GLuint first, GLuint second,
                         const struct rl_plan_program *program, struct rl_error *error)
 {
     GLint linked = 0;
-    gl->AttachShader(id, vertex);
-    gl->AttachShader(id, fragment);
+    gl->AttachShader(id, first);
+    if (second)
+        gl->AttachShader(id, second);
     gl->LinkProgram(id);
     gl->GetProgramiv(id, GL_LINK_STATUS, &linked);
     if (linked)
@@ -205,6 +207,26 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
     free(texts.fragment);
     free(defines);
     free(glue);
+    return status;
+}
+
+int rl_program_make_compute(GLuint *id, struct rl_gl *gl, const struct rl_plan_program *program,
+                            const char *defines, const char *glue, struct rl_error *error)
+{
+    char *source = NULL;
+    GLuint shader = 0;
+    *id = gl->CreateProgram();
+    int status = rl_modules_assemble(&source, program, 0, program->n_modules, defines, glue, error);
+    if (status == RL_OK)
+        status = compile(&shader, gl, GL_COMPUTE_SHADER, source, program, error);
+    if (status == RL_OK)
+        status = link_shaders(gl, *id, shader, 0, program, error);
+    gl->DeleteShader(shader);
+    free(source);
+    if (status == RL_OK)
+        return rl_gl_check(gl, "compiling a compute shader", error);
+    gl->DeleteProgram(*id);
+    *id = 0;
     return status;
 }
 

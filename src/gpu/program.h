@@ -20,6 +20,9 @@ struct rl_gpu_program {
 int rl_program_make(struct rl_gpu_program *program, struct rl_gpu *gpu, const struct rl_plan *plan,
                     size_t index, size_t n_lights, struct rl_error *error);
 void rl_program_free(struct rl_gpu_program *program, struct rl_gpu *gpu);
+/* A program of one compute shader, of all the modules. Delete *id with DeleteProgram. */
+int rl_program_make_compute(GLuint *id, struct rl_gl *gl, const struct rl_plan_program *program,
+                            const char *defines, const char *glue, struct rl_error *error);
 
 /* The distance in texels, along the normal map's rows laid end to end, between two samples of one pixel: odd,
  * so that the multiples run through the whole map before they repeat, and near its golden section, so that

@@ -35,7 +35,7 @@ help_teaches() {
 
 check "help lists the commands" sh -c "'$rl' --help | grep -q integrate"
 check "version" sh -c "'$rl' --version | grep -Eq '^roughlight [0-9]+\.[0-9]+\.[0-9]+ '"
-for command in info plan render integrate compare study; do
+for command in info plan render integrate probe compare study; do
     check "$command --help has usage, options and an example" help_teaches $command
 done
 

@@ -1,0 +1,204 @@
+/* `probe`: a function of the model, by name, on rows of arguments from standard input, in C or in GLSL. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/render_options.h"
+#include "probe/probe.h"
+
+static const struct rl_option options_probe[] = {
+    {0, "backend", "NAME",
+     "cpu (double precision, the default); gpu (as $ROUGHLIGHT_BACKEND says), or one of its backends by "
+     "name"},
+    {0},
+};
+
+struct rows {
+    size_t n, room;
+    double *value;
+};
+
+/* The next word of a line, ended by a NUL, or NULL. */
+static char *next_word(char **at)
+{
+    static const char blanks[] = " \t\r\n";
+    char *word = *at + strspn(*at, blanks);
+    if (*word == '\0')
+        return NULL;
+    *at = word + strcspn(word, blanks);
+    if (**at != '\0')
+        *(*at)++ = '\0';
+    return word;
+}
+
+static bool is_header(const char *line, const struct rl_probe *probe)
+{
+    char *copy = strdup(line), *at = copy;
+    bool same = copy != NULL;
+    for (size_t i = 0; i <= probe->n_in && same; i++) {
+        const char *word = next_word(&at);
+        same = i < probe->n_in ? word && strcmp(word, probe->in[i].name) == 0 : !word;
+    }
+    free(copy);
+    return same;
+}
+
+static int take_line(double *row, char *line, const struct rl_probe *probe, struct rl_error *error)
+{
+    char *word;
+    size_t n = 0;
+    for (; (word = next_word(&line)) != NULL; n++) {
+        if (n < probe->n_in && !rl_text_number(word, &row[n]))
+            return rl_fail(error, RL_ERR_INPUT, "%s: found '%.64s', expected a finite number",
+                           probe->in[n].name, word);
+    }
+    if (n != probe->n_in)
+        return rl_fail(error, RL_ERR_INPUT, "found %zu columns, expected %zu", n, probe->n_in);
+    return rl_probe_check_row(probe, row, error);
+}
+
+static int make_room(struct rows *rows, size_t n_in, struct rl_error *error)
+{
+    if (rows->n < rows->room)
+        return RL_OK;
+    size_t room = rows->room ? 2 * rows->room : 64;
+    double *value = realloc(rows->value, room * n_in * sizeof *value);
+    if (!value)
+        return rl_fail_memory(error, "rows");
+    rows->room = room;
+    rows->value = value;
+    return RL_OK;
+}
+
+/* Empty lines count as lines and are no rows; the first line may be the header. */
+static int read_rows(struct rows *rows, const struct rl_probe *probe, struct rl_error *error)
+{
+    char *line = NULL;
+    size_t size = 0;
+    int status = RL_OK;
+    for (size_t number = 1; status == RL_OK && getline(&line, &size, stdin) >= 0; number++) {
+        if (line[strspn(line, " \t\r\n")] == '\0' || (rows->n == 0 && is_header(line, probe)))
+            continue;
+        status = make_room(rows, probe->n_in, error);
+        if (status == RL_OK)
+            status = take_line(rows->value + rows->n * probe->n_in, line, probe, error);
+        if (status == RL_OK)
+            rows->n++;
+        else
+            rl_fail_prefix(error, "standard input:%zu", number);
+    }
+    free(line);
+    if (status == RL_OK && ferror(stdin))
+        return rl_fail(error, RL_ERR_SYSTEM, "standard input: cannot read");
+    return status;
+}
+
+static int evaluate(const struct rl_probe *probe, const char *backend, const struct rows *rows,
+                    double *results, struct rl_error *error)
+{
+    if (strcmp(backend, "cpu") == 0) {
+        rl_probe_cpu(probe, rows->value, rows->n, results);
+        return RL_OK;
+    }
+    struct rl_gpu *gpu;
+    int status = rl_gpu_open(&gpu, backend, error);
+    if (status != RL_OK)
+        return status;
+    status = rl_probe_gpu(probe, gpu, rows->value, rows->n, results, error);
+    rl_gpu_close(gpu);
+    return status;
+}
+
+static void print(const struct rl_probe *probe, enum rl_output format, const double *results, size_t n)
+{
+    const char *columns[RL_PROBE_OUT_MAX + 1] = {NULL};
+    memcpy(columns, probe->out, probe->n_out * sizeof *columns);
+    struct rl_rows rows;
+    rl_rows_begin(&rows, format, columns);
+    for (size_t i = 0; i < n * probe->n_out; i++)
+        rl_rows_number(&rows, results[i]);
+    rl_rows_end(&rows);
+}
+
+static int probe(const struct rl_arguments *a, struct rl_error *error)
+{
+    struct rl_probe function;
+    struct rows rows = {0};
+    enum rl_output format;
+    const char *backend = rl_argument(a, "backend");
+    if (!backend)
+        backend = "cpu";
+    else if (strcmp(backend, "gpu") == 0)
+        backend = rl_environment_backend();
+    int status = rl_probe_find(&function, a->positional[0], error);
+    if (status == RL_OK)
+        status = rl_argument_output(a, &format, error);
+    if (status == RL_OK && strcmp(backend, "cpu") != 0)
+        status = rl_probe_check_gpu(&function, error);
+    if (status == RL_OK)
+        status = read_rows(&rows, &function, error);
+    double *results = status == RL_OK ? malloc((rows.n * function.n_out + 1) * sizeof *results) : NULL;
+    if (status == RL_OK && !results)
+        status = rl_fail_memory(error, "results");
+    if (status == RL_OK)
+        status = evaluate(&function, backend, &rows, results, error);
+    if (status == RL_OK)
+        print(&function, format, results, rows.n);
+    free(results);
+    free(rows.value);
+    return status;
+}
+
+static int run(const struct rl_arguments *a, struct rl_error *error)
+{
+    return rl_exit_of(probe(a, error));
+}
+
+static void print_columns(const struct rl_probe *p)
+{
+    printf(" ");
+    for (size_t i = 0; i < p->n_in; i++)
+        printf(" %s", p->in[i].name);
+    printf(" ->");
+    for (size_t i = 0; i < p->n_out; i++)
+        printf(" %s", p->out[i]);
+    printf("\n");
+}
+
+static void print_functions(void)
+{
+    struct rl_probe p;
+    printf("\nfunctions, their columns, and how far GLSL is from C at most:\n");
+    for (size_t i = 0; rl_probe_at(&p, i); i++) {
+        printf("\n  %s: %s\n  ", p.name, p.summary);
+        print_columns(&p);
+        if (p.glsl)
+            printf("    GLSL: within %g + %g |value|%s%s\n", p.absolute, p.relative, p.bound ? "; " : "",
+                   p.bound ? p.bound : "");
+        else
+            printf("    cpu only: no shader has it\n");
+    }
+}
+
+const struct rl_command rl_command_probe = {
+    .name = "probe",
+    .arguments = "FUNCTION [options] <ROWS",
+    .min_positionals = 1,
+    .max_positionals = 1,
+    .summary = "a function of the model on rows of arguments, in C or in GLSL",
+    .description =
+        "Reads rows of arguments from standard input, numbers with tabs or blanks between them, and prints a "
+        "row of\n"
+        "results for each, after a header. The first line may be a header: the names of the columns, in "
+        "their "
+        "order.\n"
+        "Empty lines are skipped. Directions need not be unit vectors. Nothing is printed if any row is "
+        "wrong.\n\n"
+        "  roughlight probe frame --backend gpu <normals.tsv\n"
+        "  echo '30 0.1' | roughlight probe ellipsoid-pdf --format json",
+    .options = (const struct rl_option *const[]){options_probe, rl_options_format, NULL},
+    .more_help = print_functions,
+    .run = run,
+};

@@ -1,0 +1,155 @@
+/* The table of probes: one row for each function of the model. */
+#include <stdio.h>
+#include <string.h>
+
+#include "model/attenuation.h"
+#include "model/ellipsoid.h"
+#include "model/frame.h"
+#include "probe/probe.h"
+
+static void pdf(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_ellipsoid e = rl_ellipsoid_make(in[0]);
+    out[0] = rl_ellipsoid_pdf(&e, in[1]);
+}
+
+static void cdf(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_ellipsoid e = rl_ellipsoid_make(in[0]);
+    out[0] = rl_ellipsoid_cdf(&e, in[1]);
+}
+
+static void inverse(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_ellipsoid e = rl_ellipsoid_make(in[0]);
+    struct rl_delta d = rl_ellipsoid_inverse(&e, in[1]);
+    out[0] = d.delta;
+    out[1] = d.sin_delta;
+    out[2] = d.cos_delta;
+}
+
+static void make_frame(enum rl_frame_kind kind, const double *in, double *out)
+{
+    struct rl_frame f = rl_frame_make(kind, v3_normalize(v3(in[0], in[1], in[2])));
+    const double columns[6] = {f.T.x, f.T.y, f.T.z, f.B.x, f.B.y, f.B.z};
+    memcpy(out, columns, sizeof columns);
+}
+
+static void frame(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    make_frame(RL_FRAME_ORTHONORMAL, in, out);
+}
+
+static void frame_printed(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    make_frame(RL_FRAME_PRINTED, in, out);
+}
+
+static void attenuation(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_attenuation(in[0], in[1], in[2], in[3]);
+}
+
+#define FRAME_GLSL                                                                                           \
+    "    mat3 f = tangent_frame(normalize(vec3(a[0], a[1], a[2])));\n"                                       \
+    "    for (int i = 0; i < 6; i++)\n"                                                                      \
+    "        r[i] = f[1 + i / 3][i % 3];\n"
+#define HALF_PI (0.5 * RL_PI)
+
+static const struct rl_probe probes[] = {
+    {
+        .name = "ellipsoid-pdf",
+        .summary = "D(delta), the ellipsoid distribution's density per radian",
+        .n_in = 2,
+        .n_out = 1,
+        .in = {{"rr", RL_RR_MIN, RL_RR_MAX}, {"delta", -HALF_PI, HALF_PI}},
+        .out = {"pdf"},
+        .cpu = pdf,
+    },
+    {
+        .name = "ellipsoid-cdf",
+        .summary = "U(delta), its integral from -pi/2",
+        .n_in = 2,
+        .n_out = 1,
+        .in = {{"rr", RL_RR_MIN, RL_RR_MAX}, {"delta", -HALF_PI, HALF_PI}},
+        .out = {"u"},
+        .cpu = cdf,
+    },
+    {
+        .name = "ellipsoid-inverse",
+        .summary = "delta(U), and its sine and cosine",
+        .n_in = 2,
+        .n_out = 3,
+        .in = {{"rr", RL_RR_MIN, RL_RR_MAX}, {"u", 0.0, 1.0}},
+        .out = {"delta", "sin_delta", "cos_delta"},
+        .cpu = inverse,
+    },
+    {
+        .name = "frame",
+        .summary = "an orthonormal tangent frame about N",
+        .n_in = 3,
+        .n_out = 6,
+        .n_directions = 1,
+        .in = {{"nx", 0, 0}, {"ny", 0, 0}, {"nz", 0, 0}},
+        .out = {"tx", "ty", "tz", "bx", "by", "bz"},
+        .cpu = frame,
+        .modules = {"common/frame"},
+        .glsl = FRAME_GLSL,
+        .absolute = 1e-6,
+    },
+    {
+        .name = "frame-printed",
+        .summary = "the tangent frame about N as the paper prints it",
+        .n_in = 3,
+        .n_out = 6,
+        .n_directions = 1,
+        .in = {{"nx", 0, 0}, {"ny", 0, 0}, {"nz", 0, 0}},
+        .out = {"tx", "ty", "tz", "bx", "by", "bz"},
+        .cpu = frame_printed,
+        .modules = {"common/frame_printed"},
+        .glsl = FRAME_GLSL,
+        .absolute = 1e-6,
+    },
+    {
+        .name = "attenuation",
+        .summary = "G, masking and shadowing of V-shaped grooves, from cosines",
+        .n_in = 4,
+        .n_out = 1,
+        .in = {{"n_h", -1.0, 1.0}, {"n_v", -1.0, 1.0}, {"n_l", -1.0, 1.0}, {"v_h", -1.0, 1.0}},
+        .out = {"g"},
+        .cpu = attenuation,
+        .modules = {"common/attenuation"},
+        .glsl = "    r[0] = attenuation(a[0], a[1], a[2], a[3]);\n",
+        .absolute = 0.0,
+        .relative = 1e-6,
+    },
+};
+
+enum { N_PROBES = sizeof probes / sizeof probes[0] };
+
+bool rl_probe_at(struct rl_probe *probe, size_t i)
+{
+    if (i >= N_PROBES)
+        return false;
+    *probe = probes[i];
+    return true;
+}
+
+int rl_probe_find(struct rl_probe *probe, const char *name, struct rl_error *error)
+{
+    char names[768] = "";
+    size_t used = 0;
+    for (size_t i = 0; rl_probe_at(probe, i); i++) {
+        if (strcmp(probe->name, name) == 0)
+            return RL_OK;
+        int n = snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", probe->name);
+        used += n > 0 && (size_t)n < sizeof names - used ? (size_t)n : 0;
+    }
+    return rl_fail(error, RL_ERR_INPUT, "function '%.64s': expected one of %s", name, names);
+}
