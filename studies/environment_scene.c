@@ -114,8 +114,7 @@ static void move_scene(struct rl_scene *copy, const struct rl_environment_move *
     c->up = turned(t, c->up);
     c->forward = turned(t, c->forward);
     for (size_t i = 0; i < copy->n_materials; i++)
-        for (int k = 0; k < 3; k++)
-            copy->material[i].ambient[k] = copy->material[i].diffuse[k] = 0.0;
+        memset(copy->material[i].effect, 0, sizeof copy->material[i].effect);
 }
 
 int rl_environment_scene_make(struct rl_scene *copy, const struct rl_scene *scene,

@@ -1,4 +1,4 @@
-// Every light of the scene shrunk to a point at its centroid (struct rl_point_light).
+// Every shaped light of the scene shrunk to a point at its centroid (struct rl_point_light).
 struct PointLight {
     vec4 position; // w: the area of one side
     vec4 normal;   // unit; zero for a light of many faces, which has no cosine

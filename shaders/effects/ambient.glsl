@@ -1,7 +1,8 @@
 // Ambient light: k_a I_a with I_a = 1, the same from everywhere.
-uniform vec4 ambient_params[1];
+//
+// params: k_a.
 
-vec3 effect_ambient(Surface s)
+vec3 constant_ambient(Surface s, vec4 params[1])
 {
-    return ambient_params[0].rgb;
+    return params[0].rgb;
 }

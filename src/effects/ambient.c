@@ -1,31 +1,31 @@
 /* Ambient light: k_a I_a with I_a = 1, the same from everywhere. */
 #include "effects/effect.h"
 
-static bool wanted(const struct rl_material *m)
-{
-    return m->ambient[0] > 0.0 || m->ambient[1] > 0.0 || m->ambient[2] > 0.0;
-}
-
-static void pack(const struct rl_material *m, double params[][4])
+static void pack(const double *value, double params[][4])
 {
     for (int i = 0; i < 3; i++)
-        params[0][i] = m->ambient[i];
+        params[0][i] = value[i];
     params[0][3] = 0.0;
 }
 
-static void shade(const struct rl_surface *s, const struct rl_point_light *lights, size_t n_lights,
-                  double params[][4], double rgb[3])
+static void constant(const struct rl_surface *s, double params[][4], double rgb[3])
 {
-    (void)s, (void)lights, (void)n_lights;
+    (void)s;
     for (int i = 0; i < 3; i++)
         rgb[i] = params[0][i];
 }
 
+static const struct rl_effect_param param[] = {
+    {.help = "k_a, times the surface's colour", .kind = RL_EFFECT_COLOUR, .high = 1e9, .coefficient = true},
+    {0},
+};
+
 const struct rl_effect rl_effect_ambient = {
     .name = "ambient",
     .summary = "k_a: constant light from all round",
+    .param = param,
     .n_params = 1,
-    .wanted = wanted,
     .pack = pack,
-    .shade = shade,
+    .constant = constant,
+    .relative = 1e-7,
 };

@@ -1,13 +1,21 @@
-/* Effects: what a material can ask for beside its highlight. Each is src/effects/NAME.c here <-> shaders/effects/NAME.glsl on
- * the GPU, one descriptor, one row of rl_effects (table.c).
+/* Effects: what a material can ask for beside the highlight of shaped lights. Each is src/effects/NAME.c here <-> shaders/effects/NAME.glsl
+ * on the GPU, one descriptor, one row of rl_effects (table.c). Adding one touches nothing else: scene files, the planner, both renderers,
+ * `probe` and the tests of parity work from the descriptor. In file names and in GLSL `-` is written `_`.
  *
- * An effect is a function of the surface point, the lights and up to RL_EFFECT_PARAMS vec4 of its own, which `pack` takes from
- * the material. The GLSL module NAME.glsl defines
+ * An effect has up to three functions; each returns RGB radiance towards the eye. In C they are members of the descriptor, and the GLSL
+ * module defines those of them that there are, with K = n_params:
  *
- *     uniform vec4 NAME_params[K];                         K = n_params
- *     vec3 effect_NAME(Surface s);                         RGB radiance towards the eye
+ *     constant   vec3 constant_NAME(Surface s, vec4 params[K])                       of no light in particular
+ *     reflect    vec3 reflect_NAME(Surface s, vec3 L, vec4 params[K])                of light from direction L (unit), for an irradiance of
+ *                                                                                    1 on a plane perpendicular to L
+ *     area       vec3 area_NAME(Surface s, int first, int n, vec4 params[K])         of a polygon of radiance 1, given by its vertices
+ *                                                                                    polygon_vertex(first + i), i < n
  *
- * and `shade` is the same function in double precision.
+ * The sums over lights are rl_effects_shade in C and generated in GLSL, one loop for all effects of a material. What a scene file says of
+ * an effect is its key in a material:
+ *
+ *     phong: {specular: [1, 1, 1], exponent: 30}           parameters by their keys,
+ *     diffuse: [0.1, 0.2, 0.3]                             or one parameter without a key of its own
  */
 #ifndef RL_EFFECTS_EFFECT_H
 #define RL_EFFECTS_EFFECT_H
@@ -15,10 +23,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/error.h"
 #include "model/material.h"
 #include "model/vec3.h"
 
-enum { RL_EFFECT_PARAMS = 4 };
+enum { RL_EFFECT_PARAMS = 4, RL_EFFECT_KEYS_MAX = 8, RL_EFFECT_CHOICES_MAX = 4, RL_EFFECT_MODULES_MAX = 4 };
 
 /* A visible point: position, unit shading normal on the eye's side, unit direction to the eye. */
 struct rl_surface {
@@ -34,19 +43,96 @@ struct rl_point_light {
     double radiance[3];
 };
 
+/* The lights of a scene as effects see them. Owned by rl_scene_lights_make's caller. */
+struct rl_lights {
+    size_t n_points;
+    struct rl_point_light *point; /* every shaped light */
+};
+
+/* ---- Parameters ---- */
+
+enum rl_effect_kind { RL_EFFECT_NUMBER, RL_EFFECT_COLOUR, RL_EFFECT_CHOICE };
+
+/* A choice is made when shaders are linked, never when they run: each of its answers is a module of its own, and the modules of one choice
+ * define the same function. */
+struct rl_effect_choice {
+    const char *name, *module; /* NULL ends the list; module: a path as in plans, "common/beckmann" */
+};
+
+struct rl_effect_param {
+    const char *
+        key; /* in the effect's block; NULL: the effect's own key holds the value. In a table the end is a kind's absence: */
+    const char *help; /* NULL ends the list */
+    enum rl_effect_kind kind;
+    double low, high;
+    double absent[3]; /* the value where the key is left out; NAN: not given */
+    bool required;
+    bool coefficient; /* the effect does something only where one of its coefficients is not 0 */
+    const struct rl_effect_choice *choice;
+};
+
+/* ---- Descriptors ---- */
+
+/* What of the lights enters. */
+enum rl_effect_sees {
+    RL_SEES_CENTROIDS = 1 /* shaped lights shrunk to points; with `reflect` */
+};
+
+/* What an effect is a model of. Two effects of one material that are models of the same thing are an error. */
+enum rl_effect_role {
+    RL_ROLE_DIFFUSE = 1,  /* diffuse reflection */
+    RL_ROLE_SPECULAR = 2, /* the highlight of point and parallel lights */
+    RL_ROLE_HIGHLIGHT = 4 /* the highlight of shaped lights, which is the methods' */
+};
+
 struct rl_effect {
     const char *name;
     const char *summary; /* one line for --help and plan */
+    unsigned sees;       /* enum rl_effect_sees */
+    unsigned roles;      /* enum rl_effect_role */
+    const struct rl_effect_param *param;
+    const char *modules[RL_EFFECT_MODULES_MAX]; /* what the GLSL module needs beside those of its choices */
+    /* Combinations of values that make no sense: NULL, or what was expected, and at which key. NULL where there are none. */
+    const char *(*check)(const double *value, const char **key);
+    /* vec4 of its own that the functions get, made from the material's values. */
     int n_params;
-    bool needs_lights;
-    /* Whether this material asks for the effect at all. */
-    bool (*wanted)(const struct rl_material *material);
-    void (*pack)(const struct rl_material *material, double params[][4]);
-    void (*shade)(const struct rl_surface *s, const struct rl_point_light *lights, size_t n_lights,
-                  double params[][4], double rgb[3]);
+    void (*pack)(const double *value, double params[][4]);
+    void (*constant)(const struct rl_surface *s, double params[][4], double rgb[3]);
+    void (*reflect)(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3]);
+    void (*area)(const struct rl_surface *s, const rl_vec3 *vertex, int n, double params[][4], double rgb[3]);
+    /* |GLSL - C| <= absolute + relative |C| for a light of irradiance (area: radiance) 1. */
+    double absolute, relative;
 };
 
 extern const struct rl_effect *const rl_effects[];
 extern const size_t rl_n_effects;
+
+/* NULL if there is none of that name. */
+const struct rl_effect *rl_effect_find(const char *name);
+
+/* The name as file names and GLSL have it. */
+void rl_effect_identifier(char identifier[32], const struct rl_effect *effect);
+
+/* How many values the parameters have, and where those of the i-th begin. */
+size_t rl_effect_values(const struct rl_effect *effect);
+size_t rl_effect_value_of(const struct rl_effect *effect, size_t param);
+
+/* The module that the material's choice links, for the i-th parameter. */
+const char *rl_effect_module(const struct rl_effect *effect, const double *value, size_t param);
+
+/* ---- Effects of a material ---- */
+
+/* Makes the material ask for the effect, with every parameter as if left out, and returns the values to change. */
+double *rl_effect_give(struct rl_material *material, const struct rl_effect *effect);
+/* The same for an effect (by name, which must be one) whose only parameter is a colour. */
+void rl_effect_give_colour(struct rl_material *material, const char *name, double r, double g, double b);
+/* The values, or NULL: the material does not name the effect. */
+const double *rl_effect_given(const struct rl_material *material, const struct rl_effect *effect);
+/* Whether the material asks for the effect and one of its coefficients is not 0. */
+bool rl_effect_wanted(const struct rl_material *material, const struct rl_effect *effect);
+
+/* The sum of effects over all lights, in the order of their functions, lights and rows. params[i] is what effect i packed. */
+void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
+                      const struct rl_surface *s, const struct rl_lights *lights, double rgb[3]);
 
 #endif

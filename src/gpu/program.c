@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/hash.h"
+#include "gpu/glue.h"
 #include "gpu/modules.h"
 
 enum { PROGRAM_BYTES = 1 << 20 };
@@ -42,29 +43,6 @@ static int write_defines(char **text, const struct rl_plan *plan, const struct r
                      n_lights, program->samples, plan->settings.normal_size,
                      rl_normal_map_step(plan->settings.normal_size));
     if (n < 0) {
-        *text = NULL;
-        return rl_fail_memory(error, "a shader");
-    }
-    return RL_OK;
-}
-
-/* The functions that the surface pass calls: the sum of the material's effects, and the fused highlight or
- * none. */
-static int write_glue(char **text, const struct rl_plan_material *m, struct rl_error *error)
-{
-    size_t size = 0;
-    FILE *out = open_memstream(text, &size);
-    if (!out)
-        return rl_fail_memory(error, "a shader");
-    fprintf(out, "vec3 shade_effects(Surface s)\n{\n    return vec3(0.0)");
-    for (size_t i = 0; i < m->n_effects; i++)
-        fprintf(out, " + effect_%s(s)", m->effect[i]->name);
-    fprintf(out, ";\n}\n");
-    bool fused = m->method && m->highlight_program < 0;
-    fprintf(out, "vec3 shade_highlight(Surface s)\n{\n    return %s;\n}\n",
-            fused ? "highlight(s)" : "vec3(0.0)");
-    if (fclose(out) != 0) {
-        free(*text);
         *text = NULL;
         return rl_fail_memory(error, "a shader");
     }
@@ -123,7 +101,9 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
         p->effect_params[i] = -1;
         if (!m || i >= m->n_effects)
             continue;
-        snprintf(name, sizeof name, "%s_params", m->effect[i]->name);
+        char identifier[32];
+        rl_effect_identifier(identifier, m->effect[i]);
+        snprintf(name, sizeof name, "%s_params", identifier);
         p->effect_params[i] = gl->GetUniformLocation(p->id, name);
     }
     p->method_params = -1;
@@ -196,7 +176,7 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
     p->material = find_material(plan, (int)index);
     int status = write_defines(&defines, plan, program, n_lights, error);
     if (status == RL_OK && p->material && p->material->surface_program == (int)index)
-        status = write_glue(&glue, p->material, error);
+        status = rl_glue_surface(&glue, p->material, error);
     if (status == RL_OK)
         status = assemble(&texts, program, defines, glue, error);
     if (status == RL_OK)

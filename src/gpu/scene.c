@@ -132,7 +132,7 @@ static void pack_materials(struct rl_gpu_scene *gs)
         for (int c = 0; c < 3; c++)
             values->specular[c] = (float)material->specular[c];
         for (size_t j = 0; j < m->n_effects; j++) {
-            m->effect[j]->pack(material, params);
+            m->effect[j]->pack(rl_effect_given(material, m->effect[j]), params);
             pack_vec4(values->effect_params[j], params, m->effect[j]->n_params);
         }
         if (m->method && m->method->pack) {

@@ -2,13 +2,21 @@
 #ifndef RL_MODEL_MATERIAL_H
 #define RL_MODEL_MATERIAL_H
 
+#include <stdbool.h>
+
+enum { RL_MATERIAL_EFFECTS_MAX = 24, RL_EFFECT_VALUES_MAX = 16 };
+
 struct rl_material {
     char *name;
     double rr;          /* R_r of the ellipsoid distribution */
-    double ambient[3];  /* k_a times the surface's colour, RGB, >= 0 */
-    double diffuse[3];  /* k_d, RGB reflectance in [0, 1] */
-    double specular[3]; /* k_s, RGB factor on the highlight, >= 0 */
+    double specular[3]; /* k_s, RGB factor on the highlight of shaped lights, >= 0 */
     const char *method; /* highlight method's name (static string), or NULL: no highlight */
+    /* By the effect's row in rl_effects: whether the material names it, and its parameters' values in the order of the effect's
+     * descriptor, a colour's three one after another (effects/effect.h has the functions to read and write them). */
+    struct {
+        bool given;
+        double value[RL_EFFECT_VALUES_MAX];
+    } effect[RL_MATERIAL_EFFECTS_MAX];
 };
 
 #endif

@@ -40,7 +40,7 @@ struct job {
     struct rl_occluders *occluders; /* NULL: no shadows */
     struct rl_occluders_view *view; /* with occluders: one a thread */
     int n_views;
-    struct rl_point_light *point_light;
+    struct rl_lights seen;             /* by effects, and by methods that take points */
     struct shader *shader;             /* per plan material */
     struct rl_texel_map **environment; /* per object; NULL: its method needs none */
 };
@@ -64,7 +64,7 @@ static void make_shader(struct shader *s, const struct rl_scene *scene, const st
     s->material = &scene->material[m->material];
     s->ellipsoid = rl_ellipsoid_make(m->rr);
     for (size_t i = 0; i < m->n_effects; i++)
-        m->effect[i]->pack(s->material, s->effect_params[i]);
+        m->effect[i]->pack(rl_effect_given(s->material, m->effect[i]), s->effect_params[i]);
     s->integrates = m->method && !m->method->shade;
     if (m->method && m->method->pack)
         m->method->pack(&s->ellipsoid, s->method_params);
@@ -78,7 +78,7 @@ static void job_clear(struct job *job)
     rl_occluders_free(job->occluders);
     rl_visible_free(job->visible);
     rl_light_set_free(job->lights);
-    free(job->point_light);
+    rl_scene_lights_clear(&job->seen);
     free(job->shader);
     free(job->reached);
     for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
@@ -106,18 +106,16 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
     job->n_views = job->view ? threads : 0;
     job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
-    job->point_light = calloc(scene->n_lights + 1, sizeof *job->point_light);
     job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
-    if (!job->reached || !job->shader || !job->point_light || !job->environment ||
-        (plan->settings.shadows && !job->view)) {
+    if (!job->reached || !job->shader || !job->environment || (plan->settings.shadows && !job->view)) {
         job_clear(job);
         return rl_fail_memory(error, "the CPU renderer");
     }
     for (size_t i = 0; i < plan->n_materials; i++)
         make_shader(&job->shader[i], scene, &plan->material[i]);
-    for (size_t i = 0; i < scene->n_lights; i++)
-        job->point_light[i] = rl_light_as_point(&scene->light[i]);
-    int status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
+    int status = rl_scene_lights_make(&job->seen, scene, error);
+    if (status == RL_OK)
+        status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
     if (status == RL_OK)
         status = rl_visible_make(&job->visible, scene, error);
     if (status == RL_OK)
@@ -167,8 +165,8 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
     if (!s->plan->method || !(v3_dot(surface->N, surface->V) > 0.0))
         return;
     if (!s->integrates) {
-        s->plan->method->shade(surface, job->point_light, job->scene->n_lights,
-                               (double(*)[4])s->method_params, estimate->value);
+        s->plan->method->shade(surface, job->seen.point, job->seen.n_points, (double(*)[4])s->method_params,
+                               estimate->value);
         return;
     }
     if (job->environment[object]) {
@@ -184,18 +182,6 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
     else
         rl_integrate_lines(estimate, &seen, &s->ellipsoid, job->lights, &pass->options);
     count->lines += estimate->evaluations;
-}
-
-static void add_effects(double rgb[3], const struct job *job, const struct shader *s,
-                        const struct rl_surface *surface)
-{
-    for (size_t i = 0; i < s->plan->n_effects; i++) {
-        double part[3];
-        s->plan->effect[i]->shade(surface, job->point_light, job->scene->n_lights,
-                                  (double(*)[4])s->effect_params[i], part);
-        for (int c = 0; c < 3; c++)
-            rgb[c] += part[c];
-    }
 }
 
 /* Writes a value, and how far off it may be: rounding to float is off by half a unit in the last place of either. */
@@ -230,8 +216,9 @@ static void draw_pixel(const struct job *job, struct count *count, int x, int y,
     highlight(&estimate, count, job, s, &surface, object, pass);
     double wanted = job->plan->settings.tolerance * job->lights->brightest;
     if (rl_accuracy_improve(reached, &estimate, wanted, pass->last)) {
-        double rgb[3] = {0.0, 0.0, 0.0}, error[3];
-        add_effects(rgb, job, s, &surface);
+        double rgb[3], error[3];
+        rl_effects_shade(s->plan->effect, s->plan->n_effects,
+                         (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, &surface, &job->seen, rgb);
         for (int c = 0; c < 3; c++) {
             rgb[c] += s->material->specular[c] * estimate.value[c];
             error[c] = s->material->specular[c] * estimate.error[c];

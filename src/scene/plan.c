@@ -17,6 +17,37 @@ static void add_module(struct rl_plan_program *program, const char *folder, cons
     snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "%s/%s", folder, name);
 }
 
+/* A module that several others need is listed once. */
+static void add_once(struct rl_plan_program *program, const char *module)
+{
+    for (size_t i = 0; i < program->n_modules; i++)
+        if (strcmp(program->module[i], module) == 0)
+            return;
+    snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "%s", module);
+}
+
+/* What every program over objects begins with. */
+static void add_object_modules(struct rl_plan_program *program)
+{
+    add_module(program, "passes", "object_vertex");
+    add_module(program, "common", "surface");
+    add_module(program, "common", "visible");
+}
+
+static void add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value)
+{
+    char name[32];
+    rl_effect_identifier(name, effect);
+    for (size_t i = 0; i < RL_EFFECT_MODULES_MAX && effect->modules[i]; i++)
+        add_once(program, effect->modules[i]);
+    for (size_t i = 0; effect->param[i].help; i++) {
+        const char *module = rl_effect_module(effect, value, i);
+        if (module)
+            add_once(program, module);
+    }
+    add_module(program, "effects", name);
+}
+
 /* The last module names the pass, so equal modules are of one pass. */
 static bool same_program(const struct rl_plan_program *a, const struct rl_plan_program *b)
 {
@@ -44,16 +75,20 @@ static bool has_own_pass(const struct rl_method *method)
     return method->sampled || method->needs_environment || method->needs_normal_map || method->needs_pattern;
 }
 
-static int surface_program(struct rl_plan *plan, const struct rl_plan_material *m)
+static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
+                           const struct rl_plan_material *m)
 {
     struct rl_plan_program program = {.pass = "surface"};
     bool fused = m->method && !has_own_pass(m->method);
-    add_module(&program, "passes", "object_vertex");
-    add_module(&program, "common", "surface");
+    add_object_modules(&program);
     if (m->n_point_lights > 0)
         add_module(&program, "common", "lights");
+    if (m->sees & RL_SEES_CENTROIDS) {
+        add_module(&program, "common", "incident");
+        add_module(&program, "common", "centroids");
+    }
     for (size_t i = 0; i < m->n_effects; i++)
-        add_module(&program, "effects", m->effect[i]->name);
+        add_effect(&program, m->effect[i], rl_effect_given(&scene->material[m->material], m->effect[i]));
     if (fused)
         add_module(&program, "methods", m->method->name);
     add_module(&program, "passes", "surface");
@@ -63,8 +98,7 @@ static int surface_program(struct rl_plan *plan, const struct rl_plan_material *
 static int sphere_program(struct rl_plan *plan)
 {
     struct rl_plan_program program = {.pass = "sphere"};
-    add_module(&program, "passes", "object_vertex");
-    add_module(&program, "common", "surface");
+    add_object_modules(&program);
     add_module(&program, "passes", "sphere");
     return add_program(plan, &program);
 }
@@ -72,8 +106,7 @@ static int sphere_program(struct rl_plan *plan)
 static int highlight_program(struct rl_plan *plan, const struct rl_plan_material *m)
 {
     struct rl_plan_program program = {.pass = "highlight", .samples = m->samples};
-    add_module(&program, "passes", "object_vertex");
-    add_module(&program, "common", "surface");
+    add_object_modules(&program);
     add_module(&program, "common", plan->settings.frame == RL_FRAME_PRINTED ? "frame_printed" : "frame");
     add_module(&program, "common", plan->settings.attenuation ? "attenuation" : "attenuation_off");
     if (m->method->needs_point_lights)
@@ -148,20 +181,21 @@ static void plan_material(struct rl_plan_material *m, const struct rl_scene *sce
     if (m->method)
         m->samples =
             m->method->sampled && settings->samples > 0 ? settings->samples : m->method->default_samples;
-    bool lit = m->method && m->method->needs_point_lights;
-    for (size_t i = 0; i < rl_n_effects && m->n_effects < RL_PLAN_EFFECTS_MAX; i++) {
+    unsigned there = scene->n_lights > 0 ? RL_SEES_CENTROIDS : 0;
+    for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *effect = rl_effects[i];
-        if (!effect->wanted(material) || (effect->needs_lights && scene->n_lights == 0))
+        if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)))
             continue;
         m->effect[m->n_effects++] = effect;
-        lit = lit || effect->needs_lights;
+        m->sees |= effect->sees & there;
     }
+    bool lit = m->sees & RL_SEES_CENTROIDS || (m->method && m->method->needs_point_lights);
     m->n_point_lights = lit ? (int)scene->n_lights : 0;
 }
 
 static void plan_passes(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m)
 {
-    m->surface_program = surface_program(plan, m);
+    m->surface_program = surface_program(plan, scene, m);
     if (!m->method || !has_own_pass(m->method))
         return;
     plan_sphere(plan, scene, m);

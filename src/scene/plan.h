@@ -14,7 +14,7 @@
 #include "scene/scene.h"
 #include "scene/settings.h"
 
-enum { RL_PLAN_EFFECTS_MAX = 16, RL_PLAN_MODULES_MAX = 32, RL_PLAN_MODULE_NAME = 48 };
+enum { RL_PLAN_EFFECTS_MAX = RL_MATERIAL_EFFECTS_MAX, RL_PLAN_MODULES_MAX = 32, RL_PLAN_MODULE_NAME = 48 };
 
 /* One shader program. Module names are paths under shaders/ without ".glsl", e.g. "effects/diffuse". */
 struct rl_plan_program {
@@ -34,6 +34,7 @@ struct rl_plan_material {
     int samples;
     size_t n_effects;
     const struct rl_effect *effect[RL_PLAN_EFFECTS_MAX];
+    unsigned sees;         /* enum rl_effect_sees: what of the scene's lights its effects see */
     int n_point_lights;    /* 0 if nothing of this material asks for them */
     int surface_program;   /* index; base shading, and the highlight too if the method takes no samples */
     int highlight_program; /* index or -1: the sampled highlight's own pass */

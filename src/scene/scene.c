@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "methods/method.h"
 #include "model/ellipsoid.h"
+#include "scene/effect_schema.h"
 #include "scene/scene_build.h"
 
 int rl_build_range(const struct rl_scene_builder *b, const char *key, double value, double low, double high)
@@ -43,14 +44,14 @@ static int build_film(const struct rl_scene_builder *b)
 
 /* ---- Materials ---- */
 
-static int build_colour(const struct rl_scene_builder *b, double colour[3], const double *given,
-                        double absent, double high, const char *material, const char *name)
+static int build_specular(const struct rl_scene_builder *b, double colour[3], const double *given,
+                          const char *material)
 {
     for (int i = 0; i < 3; i++)
-        colour[i] = given ? given[i] : absent;
+        colour[i] = given ? given[i] : 1.0;
     char path[RL_YAML_KEY_MAX];
-    rl_yaml_key(path, material, name);
-    return rl_build_triple(b, path, colour, 0.0, high);
+    rl_yaml_key(path, material, "specular");
+    return rl_build_triple(b, path, colour, 0.0, RL_COLOUR_MAX);
 }
 
 /* `highlight` and `rr` belong together: without rr there is no highlight unless one is named, and then rr
@@ -86,11 +87,9 @@ static int build_material(const struct rl_scene_builder *b, size_t i)
         return rl_fail_memory(b->error, key);
     int status = build_highlight(b, material, raw, key);
     if (status == RL_OK)
-        status = build_colour(b, material->ambient, raw->ambient, 0.0, RL_COLOUR_MAX, key, "ambient");
+        status = build_specular(b, material->specular, raw->specular, key);
     if (status == RL_OK)
-        status = build_colour(b, material->diffuse, raw->diffuse, 0.0, 1.0, key, "diffuse");
-    if (status == RL_OK)
-        status = build_colour(b, material->specular, raw->specular, 1.0, RL_COLOUR_MAX, key, "specular");
+        status = rl_build_effects(b, i);
     return status;
 }
 

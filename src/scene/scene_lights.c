@@ -174,13 +174,3 @@ int rl_build_lights(const struct rl_scene_builder *b)
     }
     return RL_OK;
 }
-
-struct rl_point_light rl_light_as_point(const struct rl_light *light)
-{
-    return (struct rl_point_light){
-        .position = light->centroid,
-        .normal = light->n_polygons == 1 ? light->polygon[0].normal : v3(0.0, 0.0, 0.0),
-        .area = light->area,
-        .radiance = {light->radiance[0], light->radiance[1], light->radiance[2]},
-    };
-}

@@ -1,8 +1,11 @@
 /* The tables that define scene files, and the loading of one (see scene_schema.h). */
 #include "scene/scene_schema.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "scene/effect_schema.h"
 
 enum { TEXT_MAX = 64, FILE_NAME_MAX = 1024, LIST_MAX = 1024, POLYGON_LIST_MAX = 100000 };
 
@@ -37,15 +40,13 @@ static const cyaml_schema_field_t camera_fields[] = {
     CYAML_FIELD_END,
 };
 
+/* Before those of effects, which effect_schema.c appends. */
 static const cyaml_schema_field_t material_fields[] = {
     CYAML_FIELD_STRING_PTR("name", CYAML_FLAG_POINTER, struct rl_raw_material, name, 1, TEXT_MAX),
     CYAML_FIELD_FLOAT_PTR("rr", OPTIONAL, struct rl_raw_material, rr),
-    FIELD_TRIPLE_PTR("ambient", struct rl_raw_material, ambient),
-    FIELD_TRIPLE_PTR("diffuse", struct rl_raw_material, diffuse),
     FIELD_TRIPLE_PTR("specular", struct rl_raw_material, specular),
     CYAML_FIELD_STRING_PTR("highlight", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_material, highlight, 1,
                            TEXT_MAX),
-    CYAML_FIELD_END,
 };
 
 static const cyaml_strval_t shapes[] = {
@@ -103,28 +104,43 @@ static const cyaml_schema_field_t render_fields[] = {
     CYAML_FIELD_END,
 };
 
-static const cyaml_schema_value_t material = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct rl_raw_material, material_fields)};
 static const cyaml_schema_value_t object = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct rl_raw_object, object_fields)};
 static const cyaml_schema_value_t light = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct rl_raw_light, light_fields)};
 
-static const cyaml_schema_field_t scene_fields[] = {
-    CYAML_FIELD_MAPPING_PTR("film", OPTIONAL, struct rl_raw_scene, film, film_fields),
-    CYAML_FIELD_MAPPING("camera", REQUIRED, struct rl_raw_scene, camera, camera_fields),
-    CYAML_FIELD_SEQUENCE_COUNT("materials", CYAML_FLAG_POINTER, struct rl_raw_scene, materials, n_materials,
-                               &material, 1, LIST_MAX),
-    CYAML_FIELD_SEQUENCE_COUNT("objects", CYAML_FLAG_POINTER, struct rl_raw_scene, objects, n_objects,
-                               &object, 1, LIST_MAX),
-    CYAML_FIELD_SEQUENCE_COUNT("lights", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_scene, lights, n_lights,
-                               &light, 0, LIST_MAX),
-    CYAML_FIELD_MAPPING_PTR("render", OPTIONAL, struct rl_raw_scene, render, render_fields),
-    CYAML_FIELD_END,
+/* The schema of a whole scene. What materials may hold follows from the table of effects, so it is put together when it is used. */
+struct schema {
+    cyaml_schema_field_t material_field[RL_MATERIAL_FIELDS_MAX], scene_field[8];
+    struct rl_effect_schema effect;
+    cyaml_schema_value_t material, scene;
 };
 
-static const cyaml_schema_value_t scene = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct rl_raw_scene, scene_fields)};
+static void make_schema(struct schema *s)
+{
+    enum { N_MATERIAL = sizeof material_fields / sizeof material_fields[0] };
+    memset(s, 0, sizeof *s);
+    memcpy(s->material_field, material_fields, sizeof material_fields);
+    rl_effect_schema_make(&s->effect, s->material_field + N_MATERIAL, RL_MATERIAL_FIELDS_MAX - N_MATERIAL);
+    s->material = (cyaml_schema_value_t){
+        CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, struct rl_raw_material, s->material_field)};
+    const cyaml_schema_field_t scene_fields[] = {
+        CYAML_FIELD_MAPPING_PTR("film", OPTIONAL, struct rl_raw_scene, film, film_fields),
+        CYAML_FIELD_MAPPING("camera", REQUIRED, struct rl_raw_scene, camera, camera_fields),
+        CYAML_FIELD_SEQUENCE_COUNT("materials", CYAML_FLAG_POINTER, struct rl_raw_scene, materials,
+                                   n_materials, &s->material, 1, LIST_MAX),
+        CYAML_FIELD_SEQUENCE_COUNT("objects", CYAML_FLAG_POINTER, struct rl_raw_scene, objects, n_objects,
+                                   &object, 1, LIST_MAX),
+        CYAML_FIELD_SEQUENCE_COUNT("lights", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_scene, lights,
+                                   n_lights, &light, 0, LIST_MAX),
+        CYAML_FIELD_MAPPING_PTR("render", OPTIONAL, struct rl_raw_scene, render, render_fields),
+        CYAML_FIELD_END,
+    };
+    static_assert(sizeof scene_fields <= sizeof s->scene_field, "a scene has room for its keys");
+    memcpy(s->scene_field, scene_fields, sizeof scene_fields);
+    s->scene =
+        (cyaml_schema_value_t){CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, struct rl_raw_scene, s->scene_field)};
+}
 
 /* Keeps libcyaml's first line, without its newline. */
 static void log_line(cyaml_log_t level, void *context, const char *format, va_list arguments)
@@ -153,15 +169,17 @@ int rl_raw_scene_load(struct rl_raw_scene **raw, struct rl_yaml_tree *tree, cons
                       const char *text, size_t size, struct rl_error *error)
 {
     *raw = NULL;
+    struct schema schema;
+    make_schema(&schema);
     int status = rl_yaml_parse(tree, path, text, size, error);
     if (status == RL_OK)
-        status = rl_yaml_check(tree, &scene, error);
+        status = rl_yaml_check(tree, &schema.scene, error);
     if (status != RL_OK)
         return status;
     char line[256];
     cyaml_config_t config = configure(line);
     cyaml_err_t result =
-        cyaml_load_data((const uint8_t *)text, size, &config, &scene, (cyaml_data_t **)raw, NULL);
+        cyaml_load_data((const uint8_t *)text, size, &config, &schema.scene, (cyaml_data_t **)raw, NULL);
     if (result == CYAML_ERR_OOM)
         return rl_fail_memory(error, path);
     if (result != CYAML_OK)
@@ -173,6 +191,8 @@ int rl_raw_scene_load(struct rl_raw_scene **raw, struct rl_yaml_tree *tree, cons
 void rl_raw_scene_free(struct rl_raw_scene *raw)
 {
     char line[256];
+    struct schema schema;
     cyaml_config_t config = configure(line);
-    cyaml_free(&config, &scene, raw, 0);
+    make_schema(&schema);
+    cyaml_free(&config, &schema.scene, raw, 0);
 }

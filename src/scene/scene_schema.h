@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "base/error.h"
+#include "effects/effect.h"
 #include "scene/shapes.h"
 #include "scene/yaml_tree.h"
 
@@ -19,11 +20,18 @@ struct rl_raw_camera {
     double field_of_view; /* degrees, vertical */
 };
 
+/* The parameters of an effect, in its descriptor's order: a number, a colour's three, or which of its choices. */
+struct rl_raw_effect {
+    void *value[RL_EFFECT_KEYS_MAX];
+};
+
 struct rl_raw_material {
     char *name;
     double *rr;
-    double *ambient, *diffuse, *specular;
+    double *specular;
     char *highlight;
+    /* By row of rl_effects; the parameter itself where the effect has one without a key, else a struct rl_raw_effect. */
+    void *effect[RL_MATERIAL_EFFECTS_MAX];
 };
 
 struct rl_raw_placement { /* in this order */

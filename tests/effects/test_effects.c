@@ -1,4 +1,4 @@
-/* Effects: the table, ambient and diffuse light by hand. */
+/* Effects: the table and its descriptors, values in a material, the sums over lights; ambient and diffuse light by hand. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,22 +11,15 @@
 #include "effects/effect.h"
 #include "support/check.h"
 
-static const struct rl_effect *find(const char *name)
+/* One effect alone under some lights. */
+static void shade(const char *name, const struct rl_material *material, const struct rl_surface *s,
+                  const struct rl_lights *lights, double rgb[3])
 {
-    for (size_t i = 0; i < rl_n_effects; i++)
-        if (strcmp(rl_effects[i]->name, name) == 0)
-            return rl_effects[i];
-    fail_msg("no effect %s", name);
-    return NULL;
-}
-
-static void shade(const struct rl_effect *effect, const struct rl_material *material,
-                  const struct rl_surface *s, const struct rl_point_light *lights, size_t n, double rgb[3])
-{
-    double params[RL_EFFECT_PARAMS][4];
+    const struct rl_effect *effect = rl_effect_find(name);
+    double params[1][RL_EFFECT_PARAMS][4];
     rgb[0] = rgb[1] = rgb[2] = NAN;
-    effect->pack(material, params);
-    effect->shade(s, lights, n, params, rgb);
+    effect->pack(rl_effect_given(material, effect), params[0]);
+    rl_effects_shade(&effect, 1, params, s, lights, rgb);
 }
 
 static void check_rgb(const double rgb[3], double r, double g, double b)
@@ -38,70 +31,102 @@ static void check_rgb(const double rgb[3], double r, double g, double b)
 
 static const struct rl_surface surface = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.6, 0.8}};
 
+static void check_param(const struct rl_effect_param *p)
+{
+    assert_true(strlen(p->help) > 3 && !strchr(p->help, '\n'));
+    if (p->kind == RL_EFFECT_CHOICE) {
+        assert_non_null(p->choice[0].name);
+        assert_true(p->absent[0] == 0.0 && !p->coefficient);
+        return;
+    }
+    assert_true(p->low < p->high);
+    for (int c = 0; c < (p->kind == RL_EFFECT_COLOUR ? 3 : 1) && !isnan(p->absent[c]) && !p->required; c++)
+        assert_true(p->absent[c] >= p->low && p->absent[c] <= p->high);
+}
+
 static void test_descriptors(void **state)
 {
     (void)state;
-    const struct rl_material dark = {0};
+    assert_in_range(rl_n_effects, 1, RL_MATERIAL_EFFECTS_MAX);
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *e = rl_effects[i];
-        assert_ptr_equal(find(e->name), e); /* no name comes twice */
+        struct rl_material material = {0};
+        size_t n = 0;
+        bool coefficient = false;
+        assert_ptr_equal(rl_effect_find(e->name), e); /* no name comes twice */
         assert_true(strlen(e->summary) > 10 && !strchr(e->summary, '\n'));
-        assert_in_range(e->n_params, 0, RL_EFFECT_PARAMS);
-        assert_false(e->wanted(&dark));
-        double rgb[3];
-        shade(e, &dark, &surface, NULL, 0, rgb);
-        check_rgb(rgb, 0.0, 0.0, 0.0);
+        assert_in_range(e->n_params, 1, RL_EFFECT_PARAMS);
+        assert_true(e->constant || e->reflect || e->area);
+        assert_int_equal(!e->sees, !e->reflect && !e->area);
+        assert_true(e->absolute >= 0.0 && e->relative >= 0.0 && e->absolute + e->relative > 0.0);
+        for (; e->param[n].help; n++) {
+            check_param(&e->param[n]);
+            assert_true(e->param[n].key || n == 0);
+            coefficient = coefficient || e->param[n].coefficient;
+        }
+        assert_in_range(n, 1, RL_EFFECT_KEYS_MAX);
+        assert_true(coefficient);
+        assert_in_range(rl_effect_values(e), 1, RL_EFFECT_VALUES_MAX);
+        /* Not named, not wanted; named with every coefficient 0, not wanted either. */
+        assert_false(rl_effect_wanted(&material, e));
+        double *value = rl_effect_give(&material, e);
+        for (size_t k = 0, v = 0; k < n; k++)
+            for (int c = 0; c < (e->param[k].kind == RL_EFFECT_COLOUR ? 3 : 1); c++, v++)
+                value[v] = e->param[k].coefficient ? 0.0 : value[v];
+        assert_false(rl_effect_wanted(&material, e));
     }
+    assert_null(rl_effect_find("nothing"));
 }
 
 static void test_ambient(void **state)
 {
     (void)state;
-    const struct rl_effect *ambient = find("ambient");
-    const struct rl_material material = {.ambient = {0.0, 0.25, 1.5}};
+    struct rl_material material = {0};
+    const struct rl_lights dark = {0};
     double rgb[3];
-    assert_true(ambient->wanted(&material));
-    assert_false(ambient->needs_lights);
-    shade(ambient, &material, &surface, NULL, 0, rgb);
+    rl_effect_give_colour(&material, "ambient", 0.0, 0.25, 1.5);
+    assert_true(rl_effect_wanted(&material, rl_effect_find("ambient")));
+    shade("ambient", &material, &surface, &dark, rgb);
     check_rgb(rgb, 0.0, 0.25, 1.5);
 }
 
 static void test_diffuse(void **state)
 {
     (void)state;
-    const struct rl_effect *diffuse = find("diffuse");
-    const struct rl_material material = {.diffuse = {1.0, 0.5, 0.0}};
+    struct rl_material material = {0};
     const double pi = 3.14159265358979323846;
     double rgb[3];
-    assert_true(diffuse->wanted(&material));
-    assert_true(diffuse->needs_lights);
+    rl_effect_give_colour(&material, "diffuse", 1.0, 0.5, 0.0);
+    assert_true(rl_effect_wanted(&material, rl_effect_find("diffuse")));
 
     /* Straight above at 2, facing down, area 1/2: radiance x 1/2 x 1 x 1/4. */
     struct rl_point_light light = {
         .position = {1.0, 0.0, 2.0}, .normal = {0.0, 0.0, -1.0}, .area = 0.5, .radiance = {8.0, 16.0, 32.0}};
-    shade(diffuse, &material, &surface, &light, 1, rgb);
+    struct rl_lights lights = {.n_points = 1, .point = &light};
+    shade("diffuse", &material, &surface, &lights, rgb);
     check_rgb(rgb, 1.0 / pi, 1.0 / pi, 0.0);
     /* It shines from both sides. */
     light.normal = v3(0.0, 0.0, 1.0);
-    shade(diffuse, &material, &surface, &light, 1, rgb);
+    shade("diffuse", &material, &surface, &lights, rgb);
     check_rgb(rgb, 1.0 / pi, 1.0 / pi, 0.0);
 
     /* At (3, 0, 4) from P, r = 5: N.L = 4/5; the light's normal along x: cosine 3/5; 8 x 1/2 x 0.48/25. */
     light.position = v3(4.0, 0.0, 4.0);
     light.normal = v3(1.0, 0.0, 0.0);
-    shade(diffuse, &material, &surface, &light, 1, rgb);
+    shade("diffuse", &material, &surface, &lights, rgb);
     check_rgb(rgb, 0.0768 / pi, 0.0768 / pi, 0.0);
     /* A light of many faces has no normal and no cosine of its own. */
     light.normal = v3(0.0, 0.0, 0.0);
-    shade(diffuse, &material, &surface, &light, 1, rgb);
+    shade("diffuse", &material, &surface, &lights, rgb);
     check_rgb(rgb, 0.128 / pi, 0.128 / pi, 0.0);
 
     /* Two lights add up; one behind the surface, one in its plane and one at the point itself give nothing. */
     struct rl_point_light several[5] = {light, light, light, light, light};
+    lights = (struct rl_lights){.n_points = 5, .point = several};
     several[2].position = v3(1.0, 0.0, -2.0);
     several[3].position = v3(7.0, 0.0, 0.0);
     several[4].position = surface.P;
-    shade(diffuse, &material, &surface, several, 5, rgb);
+    shade("diffuse", &material, &surface, &lights, rgb);
     check_rgb(rgb, 0.256 / pi, 0.256 / pi, 0.0);
 }
 

@@ -70,11 +70,10 @@ static inline int fixture_material(struct rl_scene *scene, double rr, double amb
     struct rl_material *m = &scene->material[scene->n_materials];
     m->rr = rr;
     m->method = method;
-    for (int c = 0; c < 3; c++) {
-        m->ambient[c] = ambient * (1.0 - 0.2 * c);
-        m->diffuse[c] = diffuse * (0.6 + 0.2 * c);
+    rl_effect_give_colour(m, "ambient", ambient, 0.8 * ambient, 0.6 * ambient);
+    rl_effect_give_colour(m, "diffuse", 0.6 * diffuse, 0.8 * diffuse, diffuse);
+    for (int c = 0; c < 3; c++)
         m->specular[c] = specular;
-    }
     return (int)scene->n_materials++;
 }
 

@@ -106,8 +106,8 @@ static void a_mistake_is_named_by_module_and_line(void **state)
         const char *module, *method;
         int line;
     } rows[] = {
-        {"common/surface", "plain", 5},        {"common/lights", "plain", 7},
-        {"effects/ambient", "plain", 6},       {"effects/diffuse", "plain", 12},
+        {"common/surface", "plain", 4},        {"common/lights", "plain", 7},
+        {"effects/ambient", "plain", 7},       {"effects/diffuse", "plain", 9},
         {"methods/plain", "plain", 10},        {"passes/surface", "plain", 9},
         {"passes/object_vertex", "plain", 9},  {"common/frame", "random", 6},
         {"common/environment", "regular", 13}, {"common/normal_map", "random", 10},
@@ -137,10 +137,10 @@ static void a_missing_function_is_named(void **state)
 {
     (void)state;
     struct rl_error error;
-    copy_module("effects/diffuse", 8, "vec3 effect_other(Surface s)");
+    copy_module("effects/diffuse", 7, "vec3 effect_other(Surface s, vec3 L, vec4 params[1])");
     assert_int_equal(prepare("plain", &error), RL_ERR_INPUT);
     restore("effects/diffuse");
-    assert_non_null(strstr(error.message, "effect_diffuse"));
+    assert_non_null(strstr(error.message, "reflect_diffuse"));
 }
 
 static void a_missing_module_is_an_error(void **state)

@@ -75,26 +75,23 @@ static int cast(struct rl_surface *s, const struct rl_scene *scene, int x, int y
 static void shade(double rgb[3], const struct rl_surface *s, const struct rl_plan_material *m,
                   const struct rl_scene *scene)
 {
-    struct rl_point_light lights[FIXTURE_MAX];
-    double params[RL_EFFECT_PARAMS][4];
+    struct rl_error error;
+    struct rl_lights lights;
+    double params[RL_PLAN_EFFECTS_MAX][RL_EFFECT_PARAMS][4];
     double part[3];
     const struct rl_material *material = &scene->material[m->material];
-    for (size_t i = 0; i < scene->n_lights; i++)
-        lights[i] = rl_light_as_point(&scene->light[i]);
-    rgb[0] = rgb[1] = rgb[2] = 0.0;
-    for (size_t i = 0; i < m->n_effects; i++) {
-        m->effect[i]->pack(material, params);
-        m->effect[i]->shade(s, lights, scene->n_lights, params, part);
+    check_ok(rl_scene_lights_make(&lights, scene, &error), &error);
+    for (size_t i = 0; i < m->n_effects; i++)
+        m->effect[i]->pack(rl_effect_given(material, m->effect[i]), params[i]);
+    rl_effects_shade(m->effect, m->n_effects, params, s, &lights, rgb);
+    if (m->method && m->method->shade && v3_dot(s->N, s->V) > 0.0) {
+        struct rl_ellipsoid e = rl_ellipsoid_make(m->rr);
+        m->method->pack(&e, params[0]);
+        m->method->shade(s, lights.point, lights.n_points, params[0], part);
         for (int c = 0; c < 3; c++)
-            rgb[c] += part[c];
+            rgb[c] += material->specular[c] * part[c];
     }
-    if (!m->method || !m->method->shade || !(v3_dot(s->N, s->V) > 0.0))
-        return;
-    struct rl_ellipsoid e = rl_ellipsoid_make(m->rr);
-    m->method->pack(&e, params);
-    m->method->shade(s, lights, scene->n_lights, params, part);
-    for (int c = 0; c < 3; c++)
-        rgb[c] += material->specular[c] * part[c];
+    rl_scene_lights_clear(&lights);
 }
 
 /* Two objects, one partly behind the other, three lights. */
@@ -285,7 +282,7 @@ static void many_random_samples_approach_many_regular_ones(void **state)
         settings.samples = 1024;
         settings.normal_bits = RL_NORMAL_BITS_FLOAT;
         fixture_sphere(&scene, 96, 72, "random", ratios[i]);
-        scene.material[0].diffuse[0] = scene.material[0].ambient[0] = 0.0;
+        memset(scene.material[0].effect, 0, sizeof scene.material[0].effect);
         fixture_render(&random, gpu, &scene, &settings);
         settings.method = "regular";
         fixture_render(&regular, gpu, &scene, &settings);

@@ -43,17 +43,21 @@ struct world {
     struct rl_plan plan;
 };
 
+static double ambient_of(const struct world *w, int c)
+{
+    return rl_effect_given(&w->material[0], rl_effect_find("ambient"))[c];
+}
+
 /* The eye at (0, -3, 3) looks at the origin; a light above and behind, of radiance (2, 1, 0.5), mirrored in the square at z = 0. */
 static void world_make(struct world *w, const char *method)
 {
     struct rl_error error;
     memset(w, 0, sizeof *w);
-    w->material[0] = (struct rl_material){.name = "lacquer",
-                                          .rr = 20.0,
-                                          .ambient = {0.1, 0.2, 0.3},
-                                          .specular = {1.0, 0.5, 0.25},
-                                          .method = method};
-    w->material[1] = (struct rl_material){.name = "matt", .rr = 5.0, .ambient = {0.5, 0.5, 0.5}};
+    w->material[0] =
+        (struct rl_material){.name = "lacquer", .rr = 20.0, .specular = {1.0, 0.5, 0.25}, .method = method};
+    w->material[1] = (struct rl_material){.name = "matt", .rr = 5.0};
+    rl_effect_give_colour(&w->material[0], "ambient", 0.1, 0.2, 0.3);
+    rl_effect_give_colour(&w->material[1], "ambient", 0.5, 0.5, 0.5);
     const rl_vec3 vertex[4] = {{-1, 2, 2}, {1, 2, 2}, {1, 3, 4}, {-1, 3, 4}};
     memcpy(w->vertex, vertex, sizeof vertex);
     check_ok(rl_polygon_make(&w->polygon, w->vertex, 4, &error), &error);
@@ -137,7 +141,7 @@ static void test_pixels(void **state)
             foreground++;
             brightest = fmax(brightest, r.value[0]);
             for (int c = 0; c < 3; c++)
-                check_near(pixel[c], w.material[0].ambient[c] + w.material[0].specular[c] * r.value[c], 2e-7);
+                check_near(pixel[c], ambient_of(&w, c) + w.material[0].specular[c] * r.value[c], 2e-7);
             assert_true(pixel[3] == 1.0f);
         }
     print_message("%zu pixels, brightest highlight %g\n", foreground, brightest);
@@ -251,7 +255,7 @@ static void test_plain(void **state)
     plain->shade(&s, &light, 1, params, rgb);
     for (int c = 0; c < 3; c++)
         check_near(rl_image_pixel(&image, WIDTH / 2, HEIGHT / 2)[c],
-                   w.material[0].ambient[c] + w.material[0].specular[c] * rgb[c], 1e-6);
+                   ambient_of(&w, c) + w.material[0].specular[c] * rgb[c], 1e-6);
     rl_image_clear(&image);
     world_clear(&w);
 }

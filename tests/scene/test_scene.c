@@ -20,8 +20,8 @@ static void test_as_written(void **state)
     assert_int_equal(s.n_materials, 2);
     assert_string_equal(s.material[0].name, "shiny");
     check_near(s.material[0].rr, 30.0, 0.0);
-    check_near(s.material[0].diffuse[2], 0.3, 0.0);
-    check_near(s.material[0].ambient[1], 0.0, 0.0);
+    check_near(rl_effect_given(&s.material[0], rl_effect_find("diffuse"))[2], 0.3, 0.0);
+    assert_null(rl_effect_given(&s.material[0], rl_effect_find("ambient")));
     check_near(s.material[0].specular[1], 1.0, 0.0);
     assert_string_equal(s.material[0].method, "random");
     assert_null(s.material[1].method);

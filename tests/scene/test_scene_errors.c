@@ -62,7 +62,7 @@ static void test_structure(void **state)
     (void)state;
     static const struct wrong table[] = {
         {9, 9, "    shine: 30", 9,
-         "materials[0]: found the unknown key 'shine', expected name, rr, ambient, diffuse,"},
+         "materials[0]: found the unknown key 'shine', expected name, rr, specular, highlight, ambient"},
         {1, 1, "Film: {width: 64, height: 48}", 1,
          "scene: found the unknown key 'Film', expected film, camera,"},
         {34, 34, "  spp: 4", 34, "render: found the unknown key 'spp', expected samples, normal-bits,"},

@@ -37,7 +37,9 @@ static void test_away(void **state)
         check_near(q->area, 25.0 * p->area, 1e-9);
     }
     assert_true(copy.hash != scene.hash);
-    assert_true(copy.material[0].ambient[0] == 0.0 && scene.material[0].ambient[0] > 0.0);
+    const struct rl_effect *ambient = rl_effect_find("ambient");
+    assert_null(rl_effect_given(&copy.material[0], ambient));
+    assert_true(rl_effect_wanted(&scene.material[0], ambient));
     assert_memory_equal(copy.object[0].mesh.position, scene.object[0].mesh.position,
                         scene.object[0].mesh.n_vertices * sizeof *scene.object[0].mesh.position);
     rl_environment_scene_free(&copy);
