@@ -2,3 +2,12 @@
 struct Incident {
     vec3 L, irradiance;
 };
+
+// From the vector to the light, and what it gives at distance 1. A light at the point itself has no direction and gives nothing.
+Incident incident(vec3 d, vec3 strength)
+{
+    float r_r = dot(d, d);
+    if (!(r_r > 0.0))
+        return Incident(vec3(0.0, 0.0, 1.0), vec3(0.0));
+    return Incident(d / sqrt(r_r), strength / r_r);
+}

@@ -29,8 +29,8 @@ static const struct rl_effect_param param[] = {
 
 const struct rl_effect rl_effect_diffuse = {
     .name = "diffuse",
-    .summary = "k_d: Lambert's law, a shaped light shrunk to a point at its centroid",
-    .sees = RL_SEES_CENTROIDS,
+    .summary = "k_d: Lambert's law, shaped lights shrunk to points at their centroids",
+    .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE,
     .param = param,
     .n_params = 1,

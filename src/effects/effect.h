@@ -43,11 +43,31 @@ struct rl_point_light {
     double radiance[3];
 };
 
-/* The lights of a scene as effects see them. Owned by rl_scene_lights_make's caller. */
-struct rl_lights {
-    size_t n_points;
-    struct rl_point_light *point; /* every shaped light */
+/* A light without shape. */
+struct rl_source {
+    char *name;
+    bool parallel;
+    rl_vec3 at; /* its position; parallel: the unit direction towards it */
+    double strength
+        [3]; /* radiant intensity (E = I/r^2); parallel: irradiance on a plane perpendicular to its rays; RGB, >= 0 */
 };
+
+/* The lights of a scene as effects see them; see rl_scene_lights_make. */
+struct rl_lights {
+    size_t n_points, n_sources;
+    struct rl_point_light *point; /* every shaped light */
+    const struct rl_source *source;
+};
+
+/* Light from one direction: unit L and the irradiance on a plane perpendicular to it. */
+struct rl_incident {
+    rl_vec3 L;
+    double irradiance[3];
+};
+
+/* What arrives at P. False: the light is at P itself and has no direction, and gives nothing. */
+bool rl_incident_from_source(struct rl_incident *incident, const struct rl_source *source, rl_vec3 P);
+bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_point_light *light, rl_vec3 P);
 
 /* ---- Parameters ---- */
 
@@ -75,7 +95,8 @@ struct rl_effect_param {
 
 /* What of the lights enters. */
 enum rl_effect_sees {
-    RL_SEES_CENTROIDS = 1 /* shaped lights shrunk to points; with `reflect` */
+    RL_SEES_SOURCES = 1,  /* point and parallel lights; with `reflect` */
+    RL_SEES_CENTROIDS = 2 /* shaped lights shrunk to points; with `reflect` */
 };
 
 /* What an effect is a model of. Two effects of one material that are models of the same thing are an error. */

@@ -1,14 +1,19 @@
 /* The sums over lights that turn effects into a colour (see effect.h). */
 #include "effects/effect.h"
 
-/* Light from one direction: irradiance on a plane perpendicular to L. */
-struct incident {
-    rl_vec3 L;
-    double irradiance[3];
-};
+bool rl_incident_from_source(struct rl_incident *incident, const struct rl_source *source, rl_vec3 P)
+{
+    rl_vec3 d = source->parallel ? source->at : v3_sub(source->at, P);
+    double r_r = source->parallel ? 1.0 : v3_dot(d, d);
+    if (!(r_r > 0.0))
+        return false;
+    incident->L = v3_scale(1.0 / sqrt(r_r), d);
+    for (int c = 0; c < 3; c++)
+        incident->irradiance[c] = source->strength[c] / r_r;
+    return true;
+}
 
-/* False for a light at P itself, which has no direction. */
-static bool from_centroid(struct incident *incident, const struct rl_point_light *light, rl_vec3 P)
+bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_point_light *light, rl_vec3 P)
 {
     rl_vec3 d = v3_sub(light->position, P);
     double r_r = v3_dot(d, d);
@@ -30,7 +35,7 @@ struct sum {
     double *rgb;
 };
 
-static void add_incident(const struct sum *sum, const struct incident *incident, unsigned sees)
+static void add_incident(const struct sum *sum, const struct rl_incident *incident, unsigned sees)
 {
     double all[3] = {0.0, 0.0, 0.0}, part[3];
     for (size_t i = 0; i < sum->n; i++) {
@@ -48,7 +53,7 @@ void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double p
                       const struct rl_surface *s, const struct rl_lights *lights, double rgb[3])
 {
     const struct sum sum = {effects, n, params, s, rgb};
-    struct incident incident;
+    struct rl_incident incident;
     double part[3];
     rgb[0] = rgb[1] = rgb[2] = 0.0;
     for (size_t i = 0; i < n; i++) {
@@ -58,7 +63,10 @@ void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double p
         for (int c = 0; c < 3; c++)
             rgb[c] += part[c];
     }
+    for (size_t i = 0; i < lights->n_sources; i++)
+        if (rl_incident_from_source(&incident, &lights->source[i], s->P))
+            add_incident(&sum, &incident, RL_SEES_SOURCES);
     for (size_t i = 0; i < lights->n_points; i++)
-        if (from_centroid(&incident, &lights->point[i], s->P))
+        if (rl_incident_from_centroid(&incident, &lights->point[i], s->P))
             add_incident(&sum, &incident, RL_SEES_CENTROIDS);
 }

@@ -109,6 +109,41 @@ static int fill_blocks(struct rl_gpu_scene *gs, struct rl_error *error)
     return RL_OK;
 }
 
+/* As the shaders' block has them. */
+struct source_block {
+    float at[4], strength[4];
+};
+
+static int make_sources(struct rl_gpu_scene *gs, size_t limit_bytes, struct rl_error *error)
+{
+    const struct rl_scene *scene = gs->scene;
+    const struct rl_gl *gl = &gs->gpu->gl;
+    size_t n = scene->n_sources;
+    if (!(gs->plan->sees & RL_SEES_SOURCES))
+        return RL_OK;
+    struct source_block *block = calloc(n + 1, sizeof *block);
+    if (!block)
+        return rl_fail_memory(error, "the lights");
+    if (n * sizeof *block > limit_bytes) {
+        free(block);
+        return rl_fail(error, RL_ERR_INPUT, "%zu point and parallel lights: the GPU pipeline takes up to %zu",
+                       n, limit_bytes / sizeof *block);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_source *source = &scene->source[i];
+        store(block[i].at, source->at);
+        block[i].at[3] = source->parallel ? 0.0f : 1.0f;
+        for (int c = 0; c < 3; c++)
+            block[i].strength[c] = (float)source->strength[c];
+    }
+    gl->GenBuffers(1, &gs->lights.sources);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, gs->lights.sources);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)(n * sizeof *block), block, GL_STATIC_DRAW);
+    gs->counters.bytes_uploaded += n * sizeof *block;
+    free(block);
+    return RL_OK;
+}
+
 static int fill_lights(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     int status = fill_vertices(gs, error);
@@ -138,7 +173,8 @@ int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error)
         gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(struct light_vertex),
                                 (const void *)(i * sizeof(float[3])));
     }
-    return fill_lights(gs, error);
+    int status = make_sources(gs, (size_t)largest, error);
+    return status == RL_OK ? fill_lights(gs, error) : status;
 }
 
 void rl_lights_free(struct rl_gpu_scene *gs)
@@ -148,6 +184,7 @@ void rl_lights_free(struct rl_gpu_scene *gs)
     gl->DeleteBuffers(1, &gs->lights.vertex_buffer);
     gl->DeleteBuffers(1, &gs->lights.points);
     gl->DeleteBuffers(1, &gs->lights.spheres);
+    gl->DeleteBuffers(1, &gs->lights.sources);
 }
 
 int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)

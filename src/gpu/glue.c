@@ -48,6 +48,7 @@ static void write_effects(FILE *out, const struct rl_plan_material *m)
             call(out, "constant", m->effect[i], "s");
             fprintf(out, ";\n");
         }
+    write_incident(out, m, RL_SEES_SOURCES, "N_SOURCES", "from_source");
     write_incident(out, m, RL_SEES_CENTROIDS, "N_LIGHTS", "from_centroid");
     fprintf(out, "    return rgb;\n}\n");
 }

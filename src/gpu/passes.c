@@ -80,6 +80,8 @@ static void begin_frame(const struct rl_gpu_scene *gs)
     gl->Enable(GL_CULL_FACE);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_LIGHTS, gs->lights.points);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_SPHERES, gs->lights.spheres);
+    if (gs->lights.sources)
+        gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_SOURCES, gs->lights.sources);
 }
 
 static void surface_pass(struct rl_gpu_scene *gs)

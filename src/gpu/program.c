@@ -35,12 +35,12 @@ static const struct rl_plan_material *find_material(const struct rl_plan *plan, 
 
 /* Constants of the plan, so that loops have constant bounds. */
 static int write_defines(char **text, const struct rl_plan *plan, const struct rl_plan_program *program,
-                         size_t n_lights, struct rl_error *error)
+                         const struct rl_scene *scene, struct rl_error *error)
 {
     int n = asprintf(text,
-                     "#define N_LIGHTS %zu\n#define SAMPLES %d\n"
+                     "#define N_LIGHTS %zu\n#define N_SOURCES %zu\n#define SAMPLES %d\n"
                      "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
-                     n_lights, program->samples, plan->settings.normal_size,
+                     scene->n_lights, scene->n_sources, program->samples, plan->settings.normal_size,
                      rl_normal_map_step(plan->settings.normal_size));
     if (n < 0) {
         *text = NULL;
@@ -166,7 +166,7 @@ static int find_or_compile(GLuint *id, struct rl_gpu *gpu, const struct rl_plan_
 }
 
 int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct rl_plan *plan, size_t index,
-                    size_t n_lights, struct rl_error *error)
+                    const struct rl_scene *scene, struct rl_error *error)
 {
     const struct rl_plan_program *program = &plan->program[index];
     char *defines = NULL;
@@ -174,7 +174,7 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
     struct texts texts = {0};
     *p = (struct rl_gpu_program){0};
     p->material = find_material(plan, (int)index);
-    int status = write_defines(&defines, plan, program, n_lights, error);
+    int status = write_defines(&defines, plan, program, scene, error);
     if (status == RL_OK && p->material && p->material->surface_program == (int)index)
         status = rl_glue_surface(&glue, p->material, error);
     if (status == RL_OK)

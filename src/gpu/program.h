@@ -18,7 +18,7 @@ struct rl_gpu_program {
 /* Assembles, compiles and links program `index` of the plan, or takes one of the same text that the context has kept: every uniform is
  * set before each draw. Loop bounds and sizes known to the plan are compiled in. */
 int rl_program_make(struct rl_gpu_program *program, struct rl_gpu *gpu, const struct rl_plan *plan,
-                    size_t index, size_t n_lights, struct rl_error *error);
+                    size_t index, const struct rl_scene *scene, struct rl_error *error);
 void rl_program_free(struct rl_gpu_program *program, struct rl_gpu *gpu);
 /* A program of one compute shader, of all the modules. Delete *id with DeleteProgram. */
 int rl_program_make_compute(GLuint *id, struct rl_gl *gl, const struct rl_plan_program *program,

@@ -41,7 +41,7 @@ static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
 static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     for (size_t i = 0; i < gs->plan->n_programs; i++) {
-        int status = rl_program_make(&gs->program[i], gs->gpu, gs->plan, i, gs->scene->n_lights, error);
+        int status = rl_program_make(&gs->program[i], gs->gpu, gs->plan, i, gs->scene, error);
         if (status != RL_OK)
             return status;
         gs->counters.programs++;

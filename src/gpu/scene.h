@@ -7,8 +7,8 @@
 #include "gpu/program.h"
 
 /* Binding points; the shaders name the same numbers. */
-enum { RL_UNIT_ENVIRONMENT, RL_UNIT_NORMAL_MAP };             /* textures */
-enum { RL_BLOCK_LIGHTS, RL_BLOCK_PATTERN, RL_BLOCK_SPHERES }; /* uniform buffers */
+enum { RL_UNIT_ENVIRONMENT, RL_UNIT_NORMAL_MAP };                               /* textures */
+enum { RL_BLOCK_LIGHTS, RL_BLOCK_PATTERN, RL_BLOCK_SPHERES, RL_BLOCK_SOURCES }; /* uniform buffers */
 
 struct rl_gpu_object {
     GLuint vertex_array, vertex_buffer, index_buffer;
@@ -29,6 +29,7 @@ struct rl_gpu_lights {
     GLuint vertex_array, vertex_buffer;
     GLsizei n_vertices;
     GLuint points, spheres; /* uniform buffers */
+    GLuint sources;         /* point and parallel lights; 0: nothing sees them */
 };
 
 struct rl_gpu_scene {

@@ -56,6 +56,17 @@ static void attenuation(const struct rl_probe *probe, const double *in, double *
     out[0] = rl_attenuation(in[0], in[1], in[2], in[3]);
 }
 
+static void point_light(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    const struct rl_source source = {.at = v3(in[3], in[4], in[5]), .strength = {1.0, 1.0, 1.0}};
+    struct rl_incident incident;
+    if (!rl_incident_from_source(&incident, &source, v3(in[0], in[1], in[2])))
+        incident = (struct rl_incident){.L = {0.0, 0.0, 1.0}};
+    const double results[4] = {incident.L.x, incident.L.y, incident.L.z, incident.irradiance[0]};
+    memcpy(out, results, sizeof results);
+}
+
 #define FRAME_GLSL                                                                                           \
     "    mat3 f = tangent_frame(normalize(vec3(a[0], a[1], a[2])));\n"                                       \
     "    for (int i = 0; i < 6; i++)\n"                                                                      \
@@ -126,8 +137,23 @@ static const struct rl_probe probes[] = {
         .cpu = attenuation,
         .modules = {"common/attenuation"},
         .glsl = "    r[0] = attenuation(a[0], a[1], a[2], a[3]);\n",
-        .absolute = 0.0,
         .relative = 1e-6,
+    },
+    {
+        .name = "point-light",
+        .summary =
+            "direction from P to a point light at Q of intensity 1, and its irradiance 1/r^2; 0 where Q = P",
+        .n_in = 6,
+        .n_out = 4,
+        .in = {{"px", 0, 0}, {"py", 0, 0}, {"pz", 0, 0}, {"qx", 0, 0}, {"qy", 0, 0}, {"qz", 0, 0}},
+        .out = {"lx", "ly", "lz", "e"},
+        .cpu = point_light,
+        .modules = {"common/incident"},
+        .glsl = "    Incident light = incident(vec3(a[3], a[4], a[5]) - vec3(a[0], a[1], a[2]), vec3(1.0));\n"
+                "    r = float[](light.L.x, light.L.y, light.L.z, light.irradiance.x);\n",
+        .absolute = 1e-6,
+        .relative = 1e-6,
+        .bound = "for r from 1e-15 to 1e15",
     },
 };
 

@@ -83,10 +83,12 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
     add_object_modules(&program);
     if (m->n_point_lights > 0)
         add_module(&program, "common", "lights");
-    if (m->sees & RL_SEES_CENTROIDS) {
+    if (m->sees & (RL_SEES_SOURCES | RL_SEES_CENTROIDS))
         add_module(&program, "common", "incident");
+    if (m->sees & RL_SEES_SOURCES)
+        add_module(&program, "common", "sources");
+    if (m->sees & RL_SEES_CENTROIDS)
         add_module(&program, "common", "centroids");
-    }
     for (size_t i = 0; i < m->n_effects; i++)
         add_effect(&program, m->effect[i], rl_effect_given(&scene->material[m->material], m->effect[i]));
     if (fused)
@@ -181,7 +183,8 @@ static void plan_material(struct rl_plan_material *m, const struct rl_scene *sce
     if (m->method)
         m->samples =
             m->method->sampled && settings->samples > 0 ? settings->samples : m->method->default_samples;
-    unsigned there = scene->n_lights > 0 ? RL_SEES_CENTROIDS : 0;
+    unsigned there =
+        (scene->n_lights > 0 ? RL_SEES_CENTROIDS : 0) | (scene->n_sources > 0 ? RL_SEES_SOURCES : 0);
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *effect = rl_effects[i];
         if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)))
@@ -214,8 +217,10 @@ static bool plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
         bool worn = false;
         for (size_t j = 0; j < scene->n_objects; j++)
             worn = worn || scene->object[j].material == (int)i;
-        if (worn)
-            plan_material(&plan->material[plan->n_materials++], scene, (int)i, &plan->settings);
+        if (!worn)
+            continue;
+        plan_material(&plan->material[plan->n_materials], scene, (int)i, &plan->settings);
+        plan->sees |= plan->material[plan->n_materials++].sees;
     }
     size_t on_gpu = 0;
     for (size_t i = 0; i < plan->n_materials; i++) {

@@ -255,9 +255,12 @@ void rl_scene_clear(struct rl_scene *scene)
         free(scene->light[i].polygon);
         free(scene->light[i].name);
     }
+    for (size_t i = 0; i < scene->n_sources; i++)
+        free(scene->source[i].name);
     free(scene->material);
     free(scene->object);
     free(scene->light);
+    free(scene->source);
     free(scene->path);
     *scene = (struct rl_scene){0};
 }

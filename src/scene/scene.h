@@ -1,4 +1,4 @@
-/* A scene as loaded: camera, film, objects in world space, materials and polygon lights.
+/* A scene as loaded: camera, film, objects in world space, materials and lights.
  *
  *     struct rl_scene scene;
  *     if (rl_scene_load(&scene, "studies/scenes/teapot-star.yaml", &error) == RL_OK) {
@@ -7,7 +7,7 @@
  *     }
  *
  * Lengths are in one unit of the scene's choice, angles in files in degrees, radiance in W/(m^2 sr) or any
- * other unit, linear RGB. World axes are right-handed. studies/scenes/README.md describes the format.
+ * other unit, linear RGB; intensity is radiance times area, irradiance is radiance times solid angle. World axes are right-handed. studies/scenes/README.md describes the format.
  */
 #ifndef RL_SCENE_SCENE_H
 #define RL_SCENE_SCENE_H
@@ -44,6 +44,8 @@ struct rl_light {
     double area; /* one side; a mesh's: a quarter of its surface, a convex body's mean silhouette (Cauchy) */
 };
 
+/* A light without shape is a struct rl_source (effects/effect.h). */
+
 struct rl_object {
     char *name;
     struct rl_mesh mesh; /* world space */
@@ -64,10 +66,11 @@ struct rl_scene {
     uint64_t hash;     /* of the file's bytes and of every mesh file it names */
     int width, height; /* film, pixels */
     struct rl_camera camera;
-    size_t n_materials, n_objects, n_lights;
+    size_t n_materials, n_objects, n_lights, n_sources;
     struct rl_material *material;
     struct rl_object *object;
-    struct rl_light *light;
+    struct rl_light *light;      /* those with a shape */
+    struct rl_source *source;    /* point and parallel lights */
     struct rl_settings settings; /* RL_SETTINGS_DEFAULT with what the file's `render` block says */
 };
 

@@ -36,6 +36,15 @@ int rl_build_objects(const struct rl_scene_builder *b);
 /* scene_lights.c */
 int rl_build_lights(const struct rl_scene_builder *b);
 
+/* scene_sources.c: which kind of light lights[i] is, told from its keys. */
+enum rl_light_kind { RL_LIGHT_POLYGON, RL_LIGHT_MESH, RL_LIGHT_POINT, RL_LIGHT_PARALLEL };
+/* RL_ERR_INPUT: several kinds at once or none, a strength of another kind, a placement of what has no shape. strength: as
+ * written, in range. */
+int rl_build_light_kind(const struct rl_scene_builder *b, size_t i, enum rl_light_kind *kind,
+                        double strength[3]);
+/* A point or parallel light; its strength is filled already. */
+int rl_build_source(const struct rl_scene_builder *b, size_t i, struct rl_source *source);
+
 /* placement.c: a vertex goes to linear p + translate, a normal to cofactor n (the inverse transpose, times
  * the determinant, which is positive). */
 struct rl_placement {

@@ -1,5 +1,5 @@
-/* The lights of a scene file: polygons, or the triangles of a mesh, with their centroid and bounding
- * sphere. */
+/* The lights of a scene file that have a shape: polygons, or the triangles of a mesh, with their centroid and bounding
+ * sphere; scene_sources.c has the others. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -129,26 +129,22 @@ static void enclose(struct rl_light *light)
     }
 }
 
-static int build_light(const struct rl_scene_builder *b, size_t i)
+static int name_light(char **name, const struct rl_scene_builder *b, size_t i)
+{
+    char key[RL_YAML_KEY_MAX];
+    snprintf(key, sizeof key, "lights[%zu]", i);
+    *name = strdup(b->raw->lights[i].name ? b->raw->lights[i].name : key);
+    return *name ? RL_OK : rl_fail_memory(b->error, key);
+}
+
+/* A light with a shape; its radiance is filled already. */
+static int build_shaped(const struct rl_scene_builder *b, size_t i, struct rl_light *light)
 {
     const struct rl_raw_light *raw = &b->raw->lights[i];
-    struct rl_light *light = &b->scene->light[i];
-    char key[RL_YAML_KEY_MAX], path[RL_YAML_KEY_MAX];
+    char key[RL_YAML_KEY_MAX];
     snprintf(key, sizeof key, "lights[%zu]", i);
-    light->name = strdup(raw->name ? raw->name : key);
-    if (!light->name)
-        return rl_fail_memory(b->error, key);
-    rl_yaml_key(path, key, "polygon");
-    bool polygon = rl_yaml_find(b->tree, path) != NULL; /* libcyaml gives NULL for an empty list, too */
-    if (polygon == (raw->mesh != NULL))
-        return rl_yaml_fail(b->tree, b->error, key, "found %s, expected one of them",
-                            polygon ? "polygon and mesh" : "neither polygon nor mesh");
-    rl_yaml_key(path, key, "radiance");
     struct rl_placement placement;
-    int status = rl_build_triple(b, path, raw->radiance, 0.0, RL_COLOUR_MAX);
-    memcpy(light->radiance, raw->radiance, sizeof light->radiance);
-    if (status == RL_OK)
-        status = rl_build_placement(&placement, b, &raw->placement, key);
+    int status = rl_build_placement(&placement, b, &raw->placement, key);
     if (status == RL_OK)
         status = raw->mesh ? build_mesh(b, light, raw, &placement, key)
                            : build_polygon(b, light, raw, &placement, key);
@@ -159,15 +155,35 @@ static int build_light(const struct rl_scene_builder *b, size_t i)
     return rl_build_extent(b, key, light->centre, light->radius);
 }
 
+static int build_light(const struct rl_scene_builder *b, size_t i)
+{
+    enum rl_light_kind kind;
+    double strength[3];
+    struct rl_scene *scene = b->scene;
+    int status = rl_build_light_kind(b, i, &kind, strength);
+    if (status != RL_OK)
+        return status;
+    if (kind == RL_LIGHT_POINT || kind == RL_LIGHT_PARALLEL) {
+        struct rl_source *source = &scene->source[scene->n_sources++];
+        memcpy(source->strength, strength, sizeof source->strength);
+        status = name_light(&source->name, b, i);
+        return status == RL_OK ? rl_build_source(b, i, source) : status;
+    }
+    struct rl_light *light = &scene->light[scene->n_lights++];
+    memcpy(light->radiance, strength, sizeof light->radiance);
+    status = name_light(&light->name, b, i);
+    return status == RL_OK ? build_shaped(b, i, light) : status;
+}
+
 int rl_build_lights(const struct rl_scene_builder *b)
 {
     if (b->raw->n_lights == 0)
         return RL_OK;
     b->scene->light = calloc(b->raw->n_lights, sizeof *b->scene->light);
-    if (!b->scene->light)
+    b->scene->source = calloc(b->raw->n_lights, sizeof *b->scene->source);
+    if (!b->scene->light || !b->scene->source)
         return rl_fail_memory(b->error, "the lights");
     for (size_t i = 0; i < b->raw->n_lights; i++) {
-        b->scene->n_lights = i + 1;
         int status = build_light(b, i);
         if (status != RL_OK)
             return status;

@@ -76,7 +76,12 @@ static const cyaml_schema_field_t light_fields[] = {
     CYAML_FIELD_STRING_PTR("mesh", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_light, mesh, 1,
                            FILE_NAME_MAX),
     FIELDS_PLACEMENT(struct rl_raw_light),
-    FIELD_TRIPLE("radiance", struct rl_raw_light, radiance),
+    FIELD_TRIPLE_PTR("position", struct rl_raw_light, position),
+    FIELD_TRIPLE_PTR("direction", struct rl_raw_light, direction),
+    /* Which of them is needed follows from the kind of light, which this table cannot say. */
+    FIELD_TRIPLE_PTR("radiance", struct rl_raw_light, radiance),
+    FIELD_TRIPLE_PTR("intensity", struct rl_raw_light, intensity),
+    FIELD_TRIPLE_PTR("irradiance", struct rl_raw_light, irradiance),
     CYAML_FIELD_END,
 };
 

@@ -57,7 +57,8 @@ struct rl_raw_light {
     unsigned n_polygon;
     char *mesh;
     struct rl_raw_placement placement;
-    double radiance[3];
+    double *position, *direction;              /* of a light without shape */
+    double *radiance, *intensity, *irradiance; /* its strength, by kind of light */
 };
 
 enum rl_raw_switch { RL_RAW_OFF, RL_RAW_ON };

@@ -15,7 +15,8 @@ struct rl_point_light rl_light_as_point(const struct rl_light *light)
 
 int rl_scene_lights_make(struct rl_lights *lights, const struct rl_scene *scene, struct rl_error *error)
 {
-    *lights = (struct rl_lights){.n_points = scene->n_lights};
+    *lights = (struct rl_lights){
+        .n_points = scene->n_lights, .n_sources = scene->n_sources, .source = scene->source};
     lights->point = calloc(scene->n_lights + 1, sizeof *lights->point);
     if (!lights->point)
         return rl_fail_memory(error, "the lights");

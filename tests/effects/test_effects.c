@@ -130,12 +130,48 @@ static void test_diffuse(void **state)
     check_rgb(rgb, 0.256 / pi, 0.256 / pi, 0.0);
 }
 
+/* k_d/pi I/r^2 cos(alpha) and k_d/pi E cos(alpha). */
+static void test_sources(void **state)
+{
+    (void)state;
+    struct rl_material material = {0};
+    const double pi = 3.14159265358979323846;
+    double rgb[3];
+    rl_effect_give_colour(&material, "diffuse", 1.0, 0.5, 0.25);
+    static const struct {
+        struct rl_source source;
+        double expected; /* of pi times the red value */
+    } rows[] = {
+        {{.at = {1.0, 0.0, 2.0}, .strength = {8.0, 8.0, 8.0}}, 2.0},    /* above, r = 2 */
+        {{.at = {4.0, 0.0, 4.0}, .strength = {25.0, 25.0, 25.0}}, 0.8}, /* r = 5, cosine 4/5 */
+        {{.at = {4.0, 0.0, 0.0}, .strength = {8.0, 8.0, 8.0}}, 0.0},    /* in the surface's plane */
+        {{.at = {1.0, 0.0, -2.0}, .strength = {8.0, 8.0, 8.0}}, 0.0},   /* behind */
+        {{.at = {1.0, 0.0, 0.0}, .strength = {8.0, 8.0, 8.0}}, 0.0},    /* at the point */
+        {{.parallel = true, .at = {0.0, 0.0, 1.0}, .strength = {3.0, 3.0, 3.0}}, 3.0},
+        {{.parallel = true, .at = {0.6, 0.0, 0.8}, .strength = {3.0, 3.0, 3.0}}, 2.4},
+        {{.parallel = true, .at = {0.6, 0.0, -0.8}, .strength = {3.0, 3.0, 3.0}}, 0.0},
+    };
+    struct rl_source all[sizeof rows / sizeof rows[0]];
+    double sum = 0.0;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct rl_lights one = {.n_sources = 1, .source = &rows[i].source};
+        shade("diffuse", &material, &surface, &one, rgb);
+        check_rgb(rgb, rows[i].expected / pi, 0.5 * rows[i].expected / pi, 0.25 * rows[i].expected / pi);
+        all[i] = rows[i].source;
+        sum += rows[i].expected;
+    }
+    const struct rl_lights lights = {.n_sources = sizeof all / sizeof all[0], .source = all};
+    shade("diffuse", &material, &surface, &lights, rgb);
+    check_near(rgb[0], sum / pi, 1e-14);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_descriptors),
         cmocka_unit_test(test_ambient),
         cmocka_unit_test(test_diffuse),
+        cmocka_unit_test(test_sources),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

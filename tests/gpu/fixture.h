@@ -31,8 +31,9 @@ static inline void fixture_begin(struct rl_scene *scene, int width, int height)
     scene->material = calloc(FIXTURE_MAX, sizeof *scene->material);
     scene->object = calloc(FIXTURE_MAX, sizeof *scene->object);
     scene->light = calloc(FIXTURE_MAX, sizeof *scene->light);
+    scene->source = calloc(FIXTURE_MAX, sizeof *scene->source);
     scene->settings = RL_SETTINGS_DEFAULT;
-    assert_true(scene->material && scene->object && scene->light);
+    assert_true(scene->material && scene->object && scene->light && scene->source);
 }
 
 static inline void fixture_end(struct rl_scene *scene)
@@ -47,6 +48,7 @@ static inline void fixture_end(struct rl_scene *scene)
     free(scene->material);
     free(scene->object);
     free(scene->light);
+    free(scene->source);
     memset(scene, 0, sizeof *scene);
 }
 
@@ -115,6 +117,14 @@ static inline void fixture_light(struct rl_scene *scene, const rl_vec3 *vertex, 
     for (int i = 0; i < n; i++)
         l->radius = fmax(l->radius, v3_length(v3_sub(vertex[i], l->centre)));
     l->centroid = l->centre;
+}
+
+/* A point light of this intensity at `at`, or a parallel one of this irradiance from there. */
+static inline void fixture_source(struct rl_scene *scene, bool parallel, rl_vec3 at, double r, double g,
+                                  double b)
+{
+    scene->source[scene->n_sources++] = (struct rl_source){
+        .parallel = parallel, .at = parallel ? v3_normalize(at) : at, .strength = {r, g, b}};
 }
 
 /* A parallelogram centre +- u +- v. */

@@ -94,7 +94,7 @@ static void shade(double rgb[3], const struct rl_surface *s, const struct rl_pla
     rl_scene_lights_clear(&lights);
 }
 
-/* Two objects, one partly behind the other, three lights. */
+/* Two objects, one partly behind the other, three shaped lights, a point and a parallel one. */
 static void begin_scene(struct rl_scene *scene, const char *method, double rr)
 {
     fixture_begin(scene, 96, 72);
@@ -107,6 +107,8 @@ static void begin_scene(struct rl_scene *scene, const char *method, double rr)
     fixture_quad(scene, v3(2.0, 0.5, 2.0), v3(0.1, 0.8, 0.0), v3(0.5, 0.0, -0.5), 0.2, 1.0, 3.0);
     const rl_vec3 triangle[3] = {v3(0.0, 3.0, 0.0), v3(1.0, 3.0, 0.2), v3(0.3, 3.5, 1.0)};
     fixture_light(scene, triangle, 3, 5.0, 5.0, 5.0);
+    fixture_source(scene, false, v3(1.0, -1.0, 1.5), 1.0, 0.5, 0.2);
+    fixture_source(scene, true, v3(-2.0, -1.0, 0.5), 0.3, 0.6, 0.2);
 }
 
 /* Every pixel against the C functions at the point where the ray caster hits. `outliers`: pixels at

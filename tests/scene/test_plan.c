@@ -220,6 +220,31 @@ static void test_left_out(void **state)
     clear();
 }
 
+/* Only modules of lights that are there. */
+static void test_sources(void **state)
+{
+    (void)state;
+    load(24, 32, "  - {direction: [0, -1, 0], irradiance: [1, 1, 1]}");
+    make(&scene.settings);
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    assert_int_equal(shiny->sees, RL_SEES_SOURCES);
+    assert_int_equal(plan.sees, RL_SEES_SOURCES);
+    assert_null(shiny->method); /* the highlight is of shaped lights */
+    assert_int_equal(shiny->n_point_lights, 0);
+    assert_true(has_module(shiny->surface_program, "common/sources"));
+    assert_false(any_module("common/centroids"));
+    assert_false(any_module("common/lights"));
+    assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->sees, 0);
+    clear();
+
+    load(0, -1, NULL);
+    make(&scene.settings);
+    assert_int_equal(plan.sees, RL_SEES_CENTROIDS);
+    assert_true(any_module("common/centroids"));
+    assert_false(any_module("common/sources"));
+    clear();
+}
+
 /* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these,
  * too. */
 static void test_sharing(void **state)
@@ -331,9 +356,9 @@ int main(void)
         cmocka_unit_test(test_random),        cmocka_unit_test(test_regular),
         cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
         cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
-        cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
-        cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
-        cmocka_unit_test(test_modules_exist),
+        cmocka_unit_test(test_sources),       cmocka_unit_test(test_sharing),
+        cmocka_unit_test(test_margin),        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_deterministic), cmocka_unit_test(test_modules_exist),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -69,6 +69,32 @@ static void test_defaults(void **state)
     rl_scene_clear(&s);
 }
 
+/* Lights without shape, between two with one. */
+static void test_sources(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 26, 26,
+              "    radiance: [1, 2, 3]\n  - name: bulb\n    position: [1, 2, 3]\n    intensity: [4, 5, 6]\n"
+              "  - direction: [0, -2, 0]\n    irradiance: [7, 8, 9]");
+    assert_int_equal(s.n_lights, 2);
+    assert_string_equal(s.light[1].name, "triangle");
+    assert_int_equal(s.n_sources, 2);
+    assert_string_equal(s.source[0].name, "bulb");
+    assert_false(s.source[0].parallel);
+    check_vec3(s.source[0].at, 1.0, 2.0, 3.0, 0.0);
+    check_near(s.source[0].strength[1], 5.0, 0.0);
+    assert_string_equal(s.source[1].name, "lights[2]");
+    assert_true(s.source[1].parallel);
+    check_vec3(s.source[1].at, 0.0, 1.0, 0.0, 0.0); /* towards where the light comes from */
+    check_near(s.source[1].strength[2], 9.0, 0.0);
+    rl_scene_clear(&s);
+    load_with(&s, 24, 32, "  - {direction: [0, -2, 0], irradiance: [7, 8, 9]}");
+    assert_int_equal(s.n_lights, 0);
+    assert_int_equal(s.n_sources, 1);
+    rl_scene_clear(&s);
+}
+
 static void test_render_block(void **state)
 {
     (void)state;
@@ -295,13 +321,19 @@ static void test_star_is_in_view(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_as_written),   cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_render_block), cmocka_unit_test(test_placement),
-        cmocka_unit_test(test_rotation),     cmocka_unit_test(test_stretched_normals),
-        cmocka_unit_test(test_lights),       cmocka_unit_test(test_mesh_light),
+        cmocka_unit_test(test_as_written),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_sources),
+        cmocka_unit_test(test_render_block),
+        cmocka_unit_test(test_placement),
+        cmocka_unit_test(test_rotation),
+        cmocka_unit_test(test_stretched_normals),
+        cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_mesh_light),
         cmocka_unit_test(test_hash),
 
-        cmocka_unit_test(test_scenes),       cmocka_unit_test(test_star_is_in_view),
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_star_is_in_view),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
