@@ -1,4 +1,5 @@
 /* `probe`: a function of the model, by name, on rows of arguments from standard input, in C or in GLSL. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,7 +51,9 @@ static int take_line(double *row, char *line, const struct rl_probe *probe, stru
     char *word;
     size_t n = 0;
     for (; (word = next_word(&line)) != NULL; n++) {
-        if (n < probe->n_in && !rl_text_number(word, &row[n]))
+        if (n < probe->n_in && probe->in[n].optional && strcmp(word, "-") == 0)
+            row[n] = NAN;
+        else if (n < probe->n_in && !rl_text_number(word, &row[n]))
             return rl_fail(error, RL_ERR_INPUT, "%s: found '%.64s', expected a finite number",
                            probe->in[n].name, word);
     }
@@ -170,11 +173,14 @@ static void print_columns(const struct rl_probe *p)
 static void print_functions(void)
 {
     struct rl_probe p;
-    printf("\nfunctions, their columns, and how far GLSL is from C at most:\n");
+    printf("\nfunctions, their columns, and how far GLSL is from C at most, beside what C changes by when "
+           "vectors "
+           "change\nby %g of their length, for GLSL has them in single precision:\n",
+           RL_PROBE_ROUNDING);
     for (size_t i = 0; rl_probe_at(&p, i); i++) {
         printf("\n  %s: %s\n  ", p.name, p.summary);
         print_columns(&p);
-        if (p.glsl)
+        if (rl_probe_check_gpu(&p, NULL) == RL_OK)
             printf("    GLSL: within %g + %g |value|%s%s\n", p.absolute, p.relative, p.bound ? "; " : "",
                    p.bound ? p.bound : "");
         else
@@ -195,7 +201,14 @@ const struct rl_command rl_command_probe = {
         "their "
         "order.\n"
         "Empty lines are skipped. Directions need not be unit vectors. Nothing is printed if any row is "
-        "wrong.\n\n"
+        "wrong.\n"
+        "Of an effect: N, V and L, a light in direction L of irradiance 1 perpendicular to it (or the "
+        "vertices "
+        "of a triangle\n"
+        "of radiance 1, seen from the point), then its parameters; a choice is its number from 0, and - "
+        "leaves "
+        "an optional\n"
+        "parameter out.\n\n"
         "  roughlight probe frame --backend gpu <normals.tsv\n"
         "  echo '30 0.1' | roughlight probe ellipsoid-pdf --format json",
     .options = (const struct rl_option *const[]){options_probe, rl_options_format, NULL},

@@ -11,6 +11,10 @@ int rl_probe_check_row(const struct rl_probe *probe, const double *row, struct r
     for (size_t i = 0; i < probe->n_in; i++) {
         const struct rl_probe_column *c = &probe->in[i];
         bool bounded = c->low < c->high;
+        if (c->optional && isnan(row[i]))
+            continue;
+        if (c->whole && row[i] != floor(row[i]))
+            return rl_fail(error, RL_ERR_INPUT, "%s: found %.17g, expected a whole number", c->name, row[i]);
         if (!isfinite(row[i]) || (bounded && !(row[i] >= c->low && row[i] <= c->high)))
             return bounded ? rl_fail(error, RL_ERR_INPUT, "%s: found %.17g, expected %g to %g", c->name,
                                      row[i], c->low, c->high)
@@ -21,12 +25,17 @@ int rl_probe_check_row(const struct rl_probe *probe, const double *row, struct r
         if (row[3 * i] == 0.0 && row[3 * i + 1] == 0.0 && row[3 * i + 2] == 0.0)
             return rl_fail(error, RL_ERR_INPUT, "%s, %s, %s: found the zero vector, expected a direction",
                            probe->in[3 * i].name, probe->in[3 * i + 1].name, probe->in[3 * i + 2].name);
+    const char *key = NULL, *expected = NULL;
+    if (probe->effect && probe->effect->check)
+        expected = probe->effect->check(rl_probe_effect_values(probe, row), &key);
+    if (expected)
+        return rl_fail(error, RL_ERR_INPUT, "%s: expected %s", key, expected);
     return RL_OK;
 }
 
 int rl_probe_check_gpu(const struct rl_probe *probe, struct rl_error *error)
 {
-    if (probe->glsl)
+    if (probe->glsl || probe->effect)
         return RL_OK;
     return rl_fail(error, RL_ERR_INPUT, "%s: no shader has this function, expected the backend cpu",
                    probe->name);
@@ -61,9 +70,12 @@ static void round_row(float *to, const struct rl_probe *probe, const double *row
     }
 }
 
+/* Of a function of the model: one program does for all rows. */
 int rl_probe_gpu(const struct rl_probe *probe, struct rl_gpu *gpu, const double *rows, size_t n_rows,
                  double *results, struct rl_error *error)
 {
+    if (probe->effect)
+        return rl_probe_effect_gpu(probe, gpu, rows, n_rows, results, error);
     struct rl_plan_program program;
     list_modules(&program, probe);
     float *in = malloc((n_rows * probe->n_in + 1) * sizeof *in);

@@ -19,28 +19,43 @@
 #include "effects/effect.h"
 #include "gpu/gpu.h"
 
-enum { RL_PROBE_IN_MAX = 40, RL_PROBE_OUT_MAX = 9, RL_PROBE_MODULES_MAX = 8, RL_PROBE_NAME_MAX = 32 };
+enum {
+    RL_PROBE_IN_MAX = 15 + RL_EFFECT_VALUES_MAX,
+    RL_PROBE_OUT_MAX = 9,
+    RL_PROBE_MODULES_MAX = 8,
+    RL_PROBE_NAME_MAX = 32
+};
 
 struct rl_probe_column {
     char name[RL_PROBE_NAME_MAX];
-    double low, high; /* of what is taken; equal to nothing where both are 0: any finite number */
+    double low, high; /* of what is taken; both 0: any finite number */
+    bool optional;    /* NAN stands for a parameter that was left out */
+    bool whole;       /* a whole number: which of an effect's choices */
 };
 
 struct rl_probe {
-    const char *name, *summary;
-    size_t n_in, n_out, n_directions;
+    char name[RL_PROBE_NAME_MAX];
+    const char *summary;
+    size_t n_in, n_out;
+    size_t n_directions, n_vectors; /* vectors: triples that begin the columns, directions among them */
+    const struct rl_effect *effect; /* or NULL; then `modules` and `glsl` are made for it */
+    bool polygon;                   /* its function of a polygon, a triangle here, not of a direction */
     struct rl_probe_column in[RL_PROBE_IN_MAX];
     const char *out[RL_PROBE_OUT_MAX];
     void (*cpu)(const struct rl_probe *probe, const double *in, double *out);
     /* GLSL: modules, and the body of void evaluate(float a[N_IN], out float r[N_OUT]). NULL: there is no such function. */
     const char *modules[RL_PROBE_MODULES_MAX];
     const char *glsl;
-    /* |GLSL - C| <= absolute + relative |C| for every result, wherever the arguments are in range. */
+    /* |GLSL - C| <= absolute + relative |C| for every result wherever the arguments are in range, and beside that what C changes by
+     * where each component of the vectors moves by RL_PROBE_ROUNDING times the vector's length: GLSL has them in single precision. */
     double absolute, relative;
     const char *bound; /* what else there is to say of the bound, or NULL */
 };
 
-/* The i-th probe; false: there are no more. */
+/* Eight units in the last place of single precision: what normalizing a vector and a few sums and products of it lose. */
+#define RL_PROBE_ROUNDING 5e-7
+
+/* The i-th probe: functions of the model, then those of the effects. False: there are no more. */
 bool rl_probe_at(struct rl_probe *probe, size_t i);
 /* RL_ERR_INPUT with the names there are. */
 int rl_probe_find(struct rl_probe *probe, const char *name, struct rl_error *error);
@@ -55,5 +70,13 @@ void rl_probe_cpu(const struct rl_probe *probe, const double *rows, size_t n_row
 /* Arguments are rounded to single precision first. RL_ERR_INPUT: as rl_probe_check_gpu. */
 int rl_probe_gpu(const struct rl_probe *probe, struct rl_gpu *gpu, const double *rows, size_t n_rows,
                  double *results, struct rl_error *error);
+
+/* effect.c: the probe of an effect's function, of a direction or (polygon) of a polygon. False: it has none. */
+bool rl_probe_of_effect(struct rl_probe *probe, const struct rl_effect *effect, bool polygon);
+/* The values of the effect's parameters in a row. */
+const double *rl_probe_effect_values(const struct rl_probe *probe, const double *row);
+/* rl_probe_gpu for effects: a program for each combination of choices. */
+int rl_probe_effect_gpu(const struct rl_probe *probe, struct rl_gpu *gpu, const double *rows, size_t n_rows,
+                        double *results, struct rl_error *error);
 
 #endif

@@ -79,7 +79,8 @@ static const struct rl_probe probes[] = {
         .summary = "D(delta), the ellipsoid distribution's density per radian",
         .n_in = 2,
         .n_out = 1,
-        .in = {{"rr", RL_RR_MIN, RL_RR_MAX}, {"delta", -HALF_PI, HALF_PI}},
+        .in = {{.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX},
+               {.name = "delta", .low = -HALF_PI, .high = HALF_PI}},
         .out = {"pdf"},
         .cpu = pdf,
     },
@@ -88,7 +89,8 @@ static const struct rl_probe probes[] = {
         .summary = "U(delta), its integral from -pi/2",
         .n_in = 2,
         .n_out = 1,
-        .in = {{"rr", RL_RR_MIN, RL_RR_MAX}, {"delta", -HALF_PI, HALF_PI}},
+        .in = {{.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX},
+               {.name = "delta", .low = -HALF_PI, .high = HALF_PI}},
         .out = {"u"},
         .cpu = cdf,
     },
@@ -97,7 +99,7 @@ static const struct rl_probe probes[] = {
         .summary = "delta(U), and its sine and cosine",
         .n_in = 2,
         .n_out = 3,
-        .in = {{"rr", RL_RR_MIN, RL_RR_MAX}, {"u", 0.0, 1.0}},
+        .in = {{.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX}, {.name = "u", .low = 0.0, .high = 1.0}},
         .out = {"delta", "sin_delta", "cos_delta"},
         .cpu = inverse,
     },
@@ -107,7 +109,8 @@ static const struct rl_probe probes[] = {
         .n_in = 3,
         .n_out = 6,
         .n_directions = 1,
-        .in = {{"nx", 0, 0}, {"ny", 0, 0}, {"nz", 0, 0}},
+        .n_vectors = 1,
+        .in = {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}},
         .out = {"tx", "ty", "tz", "bx", "by", "bz"},
         .cpu = frame,
         .modules = {"common/frame"},
@@ -120,7 +123,8 @@ static const struct rl_probe probes[] = {
         .n_in = 3,
         .n_out = 6,
         .n_directions = 1,
-        .in = {{"nx", 0, 0}, {"ny", 0, 0}, {"nz", 0, 0}},
+        .n_vectors = 1,
+        .in = {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}},
         .out = {"tx", "ty", "tz", "bx", "by", "bz"},
         .cpu = frame_printed,
         .modules = {"common/frame_printed"},
@@ -132,7 +136,10 @@ static const struct rl_probe probes[] = {
         .summary = "G, masking and shadowing of V-shaped grooves, from cosines",
         .n_in = 4,
         .n_out = 1,
-        .in = {{"n_h", -1.0, 1.0}, {"n_v", -1.0, 1.0}, {"n_l", -1.0, 1.0}, {"v_h", -1.0, 1.0}},
+        .in = {{.name = "n_h", .low = -1.0, .high = 1.0},
+               {.name = "n_v", .low = -1.0, .high = 1.0},
+               {.name = "n_l", .low = -1.0, .high = 1.0},
+               {.name = "v_h", .low = -1.0, .high = 1.0}},
         .out = {"g"},
         .cpu = attenuation,
         .modules = {"common/attenuation"},
@@ -145,7 +152,8 @@ static const struct rl_probe probes[] = {
             "direction from P to a point light at Q of intensity 1, and its irradiance 1/r^2; 0 where Q = P",
         .n_in = 6,
         .n_out = 4,
-        .in = {{"px", 0, 0}, {"py", 0, 0}, {"pz", 0, 0}, {"qx", 0, 0}, {"qy", 0, 0}, {"qz", 0, 0}},
+        .in =
+            {{.name = "px"}, {.name = "py"}, {.name = "pz"}, {.name = "qx"}, {.name = "qy"}, {.name = "qz"}},
         .out = {"lx", "ly", "lz", "e"},
         .cpu = point_light,
         .modules = {"common/incident"},
@@ -161,10 +169,16 @@ enum { N_PROBES = sizeof probes / sizeof probes[0] };
 
 bool rl_probe_at(struct rl_probe *probe, size_t i)
 {
-    if (i >= N_PROBES)
-        return false;
-    *probe = probes[i];
-    return true;
+    if (i < N_PROBES) {
+        *probe = probes[i];
+        return true;
+    }
+    size_t at = N_PROBES;
+    for (size_t row = 0; row < rl_n_effects; row++)
+        for (int polygon = 0; polygon < 2; polygon++)
+            if (rl_probe_of_effect(probe, rl_effects[row], polygon != 0) && at++ == i)
+                return true;
+    return false;
 }
 
 int rl_probe_find(struct rl_probe *probe, const char *name, struct rl_error *error)

@@ -17,8 +17,7 @@ static void add_module(struct rl_plan_program *program, const char *folder, cons
     snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "%s/%s", folder, name);
 }
 
-/* A module that several others need is listed once. */
-static void add_once(struct rl_plan_program *program, const char *module)
+void rl_plan_add_module(struct rl_plan_program *program, const char *module)
 {
     for (size_t i = 0; i < program->n_modules; i++)
         if (strcmp(program->module[i], module) == 0)
@@ -34,16 +33,16 @@ static void add_object_modules(struct rl_plan_program *program)
     add_module(program, "common", "visible");
 }
 
-static void add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value)
+void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value)
 {
     char name[32];
     rl_effect_identifier(name, effect);
     for (size_t i = 0; i < RL_EFFECT_MODULES_MAX && effect->modules[i]; i++)
-        add_once(program, effect->modules[i]);
+        rl_plan_add_module(program, effect->modules[i]);
     for (size_t i = 0; effect->param[i].help; i++) {
         const char *module = rl_effect_module(effect, value, i);
         if (module)
-            add_once(program, module);
+            rl_plan_add_module(program, module);
     }
     add_module(program, "effects", name);
 }
@@ -90,7 +89,8 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
     if (m->sees & RL_SEES_CENTROIDS)
         add_module(&program, "common", "centroids");
     for (size_t i = 0; i < m->n_effects; i++)
-        add_effect(&program, m->effect[i], rl_effect_given(&scene->material[m->material], m->effect[i]));
+        rl_plan_add_effect(&program, m->effect[i],
+                           rl_effect_given(&scene->material[m->material], m->effect[i]));
     if (fused)
         add_module(&program, "methods", m->method->name);
     add_module(&program, "passes", "surface");

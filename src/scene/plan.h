@@ -77,6 +77,10 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
                  struct rl_error *error);
 void rl_plan_clear(struct rl_plan *plan);
 
+/* Adds a module where the program does not have it yet; all that an effect with these values needs, itself the last. */
+void rl_plan_add_module(struct rl_plan_program *program, const char *module);
+void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value);
+
 /* The plan of the material an object wears. */
 const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene,
                                                  size_t object);
