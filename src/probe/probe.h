@@ -31,6 +31,7 @@ struct rl_probe_column {
     double low, high; /* of what is taken; both 0: any finite number */
     bool optional;    /* NAN stands for a parameter that was left out */
     bool whole;       /* a whole number: which of an effect's choices */
+    bool rounded;     /* the bound allows for RL_PROBE_ROUNDING of it, too */
 };
 
 struct rl_probe {

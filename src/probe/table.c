@@ -5,6 +5,7 @@
 #include "model/attenuation.h"
 #include "model/ellipsoid.h"
 #include "model/frame.h"
+#include "model/fresnel.h"
 #include "probe/probe.h"
 
 static void pdf(const struct rl_probe *probe, const double *in, double *out)
@@ -54,6 +55,12 @@ static void attenuation(const struct rl_probe *probe, const double *in, double *
 {
     (void)probe;
     out[0] = rl_attenuation(in[0], in[1], in[2], in[3]);
+}
+
+static void fresnel(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_fresnel(in[0], in[1], in[2]);
 }
 
 static void point_light(const struct rl_probe *probe, const double *in, double *out)
@@ -145,6 +152,21 @@ static const struct rl_probe probes[] = {
         .modules = {"common/attenuation"},
         .glsl = "    r[0] = attenuation(a[0], a[1], a[2], a[3]);\n",
         .relative = 1e-6,
+    },
+    {
+        .name = "fresnel",
+        .summary =
+            "F, unpolarised reflectance at a medium of index n - i k; c: cosine of the angle of incidence",
+        .n_in = 3,
+        .n_out = 1,
+        .in = {{.name = "n", .low = 0.01, .high = 1e8, .rounded = true},
+               {.name = "k", .low = 0.0, .high = 100.0},
+               {.name = "c", .low = 0.0, .high = 1.0, .rounded = true}},
+        .out = {"f"},
+        .cpu = fresnel,
+        .modules = {"common/fresnel"},
+        .glsl = "    r[0] = fresnel(vec3(a[0]), vec3(a[1]), a[2]).x;\n",
+        .absolute = 1e-6,
     },
     {
         .name = "point-light",

@@ -142,18 +142,24 @@ static void print_row(const struct rl_probe *p, const double *row)
     print_error("\n");
 }
 
-/* What rounding of the vectors does to the C function: for each result the sum over the vectors' components of the change when one
- * moves by RL_PROBE_ROUNDING times the vector's length. */
+/* What rounding of the arguments does to the C function: for each result the sum over the vectors' components of the change when one
+ * moves by RL_PROBE_ROUNDING times the vector's length, and the same of numbers that the bound allows it for. */
 static void add_rounding(const struct rl_probe *p, const double *row, const double *value, double *allowed)
 {
     double moved[RL_PROBE_IN_MAX], there[RL_PROBE_OUT_MAX];
     memcpy(moved, row, p->n_in * sizeof *moved);
-    for (size_t i = 0; i < 3 * p->n_vectors; i++) {
+    for (size_t i = 0; i < p->n_in; i++) {
+        bool vector = i < 3 * p->n_vectors;
+        if (!vector && !p->in[i].rounded)
+            continue;
         const double *v = row + i - i % 3;
-        double step = RL_PROBE_ROUNDING * sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        double length = vector ? sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) : fabs(row[i]);
+        double step = RL_PROBE_ROUNDING * length;
         double change[RL_PROBE_OUT_MAX] = {0.0};
         for (int sign = -1; sign <= 1; sign += 2) {
             moved[i] = row[i] + sign * step;
+            if (!vector)
+                moved[i] = fmin(fmax(moved[i], p->in[i].low), p->in[i].high);
             rl_probe_cpu(p, moved, 1, there);
             for (size_t k = 0; k < p->n_out; k++)
                 change[k] = fmax(change[k], fabs(there[k] - value[k]));
@@ -164,29 +170,43 @@ static void add_rounding(const struct rl_probe *p, const double *row, const doub
     }
 }
 
-static void compare(const struct rl_probe *p, const double *rows, const double *cpu, const double *shader)
+/* Of the random rows: the greatest value, difference and relative difference (of values above 0.001); of all rows: the greatest
+ * difference that rounding of the arguments does not explain. */
+struct worst {
+    double value, off, relative, own;
+};
+
+static void compare_row(struct worst *worst, const struct rl_probe *p, const double *row, const double *cpu,
+                        const double *shader, bool hard)
 {
-    double worst = 0.0, worst_relative = 0.0, most = 0.0, bound[RL_PROBE_OUT_MAX] = {0.0};
-    for (size_t i = 0; i < ROWS * p->n_out; i++) {
-        if (i % p->n_out == 0) {
-            for (size_t k = 0; k < p->n_out; k++)
-                bound[k] = p->absolute + p->relative * fabs(cpu[i + k]);
-            add_rounding(p, rows + i / p->n_out * p->n_in, cpu + i, bound);
+    double rounding[RL_PROBE_OUT_MAX] = {0.0};
+    add_rounding(p, row, cpu, rounding);
+    for (size_t k = 0; k < p->n_out; k++) {
+        double off = fabs(shader[k] - cpu[k]), value = fabs(cpu[k]);
+        double allowed = p->absolute + p->relative * value + rounding[k];
+        worst->own = fmax(worst->own, off - rounding[k]);
+        if (!hard) {
+            worst->value = fmax(worst->value, value);
+            worst->off = fmax(worst->off, off);
+            worst->relative = fmax(worst->relative, value > 1e-3 ? off / value : 0.0);
         }
-        double off = fabs(shader[i] - cpu[i]), allowed = bound[i % p->n_out];
-        worst = fmax(worst, off);
-        most = fmax(most, fabs(cpu[i]));
-        if (fabs(cpu[i]) > 1e-3)
-            worst_relative = fmax(worst_relative, off / fabs(cpu[i]));
         if (off <= allowed)
             continue;
         print_error("%s: %s is %.9g in GLSL and %.9g in C, %.3g apart, expected at most %.3g\n", p->name,
-                    p->out[i % p->n_out], shader[i], cpu[i], off, allowed);
-        print_row(p, rows + i / p->n_out * p->n_in);
+                    p->out[k], shader[k], cpu[k], off, allowed);
+        print_row(p, row);
         fail();
     }
-    print_message("%-24s max |value| %-8.3g max error %-8.2g relative (|value| > 0.001) %.2g\n", p->name,
-                  most, worst, worst_relative);
+}
+
+static void compare(const struct rl_probe *p, const double *rows, const double *cpu, const double *shader)
+{
+    struct worst worst = {0.0, 0.0, 0.0, 0.0};
+    for (size_t i = 0; i < ROWS; i++)
+        compare_row(&worst, p, rows + i * p->n_in, cpu + i * p->n_out, shader + i * p->n_out,
+                    i >= RANDOM_ROWS);
+    print_message("%-24s random: value to %-8.3g error %-8.2g relative %-8.2g all, beyond rounding: %.2g\n",
+                  p->name, worst.value, worst.off, worst.relative, worst.own);
 }
 
 static void test_parity(void **state)

@@ -1,0 +1,108 @@
+/* Cook and Torrance's highlight (1982): microfacets that mirror by Fresnel's law, distributed by D, masked and shadowed by G.
+ *
+ *     F(beta) D(delta) G / (4 N.V),   N.L > 0 and N.V > 0
+ *
+ * times the irradiance perpendicular to L, with H = (L + V)/|L + V|, cos(delta) = N.H, cos(beta) = V.H = L.H. As a reflectance that is
+ * F D G / (4 (N.L)(N.V)): the paper prints F D G / (pi (N.L)(N.V)) with a D that lacks the pi of a density; with D normalized to
+ * integral of D cos(delta) = 1 what conserves energy has the 4 (Torrance and Sparrow 1967; it is |dH/dL| = 1/(4 V.H)).
+ *
+ * F (src/model/fresnel.h) depends on the wavelength by n and k for each of R, G and B; or by the reflectance at normal incidence, from
+ * which follows n with k = 0, as the paper does. D is Beckmann's or the ellipsoid's (src/model/facets.h). G is that of V-shaped grooves
+ * (src/model/attenuation.h), which never hides more than it must: all of it together reflects less than it receives, whatever m, and is
+ * the same with light and eye exchanged. Highlight of the paper only: its diffuse part is the effect `diffuse`. */
+#include "effects/effect.h"
+#include "model/facets.h"
+#include "model/fresnel.h"
+
+enum { REFLECTANCE = 0, N = 3, K = 6, ROUGHNESS = 9, DISTRIBUTION = 10 };
+
+static const char *check(const double *value, const char **key)
+{
+    bool reflectance = !isnan(value[REFLECTANCE]), n = !isnan(value[N]), k = !isnan(value[K]);
+    *key = "reflectance";
+    if (reflectance && (n || k))
+        return "either the reflectance at normal incidence, or n and k";
+    if (!reflectance && !n && !k)
+        return "the reflectance at normal incidence, or n and k";
+    *key = n ? "k" : "n";
+    return reflectance || (n && k) ? NULL : "both n and k, of the complex index of refraction";
+}
+
+static void pack(const double *value, double params[][4])
+{
+    bool reflectance = !isnan(value[REFLECTANCE]);
+    for (int c = 0; c < 3; c++) {
+        params[0][c] = reflectance ? rl_fresnel_index(value[REFLECTANCE + c]) : value[N + c];
+        params[1][c] = reflectance ? 0.0 : value[K + c];
+    }
+    params[0][3] = value[ROUGHNESS];
+    params[1][3] = value[DISTRIBUTION];
+}
+
+static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
+{
+    rgb[0] = rgb[1] = rgb[2] = 0.0;
+    rl_vec3 sum = v3_add(L, s->V);
+    double length = v3_length(sum), n_l = v3_dot(s->N, L), n_v = v3_dot(s->N, s->V);
+    if (!(n_l > 0.0) || !(n_v > 0.0) || !(length > 0.0))
+        return;
+    rl_vec3 H = v3_scale(1.0 / length, sum), across = v3_cross(s->N, H);
+    double n_h = v3_dot(s->N, H), v_h = fmin(1.0, 0.5 * length), m = params[0][3];
+    double sin_sin = v3_dot(across, across);
+    double d =
+        params[1][3] == 0.0 ? rl_facets_beckmann(n_h, sin_sin, m) : rl_facets_ellipsoid(n_h, sin_sin, m);
+    /* D G / (4 N.V), G = min(1, 2 (N.H) min(N.V, N.L)/(V.H)): quotients of what goes to 0 together. */
+    double g = fmin(v_h, 2.0 * n_h * fmin(n_v, n_l)) / (4.0 * v_h * n_v);
+    for (int c = 0; c < 3; c++)
+        rgb[c] = rl_fresnel(params[0][c], params[1][c], v_h) * d * g;
+}
+
+static const struct rl_effect_choice distribution[] = {
+    {"beckmann", "common/beckmann"}, {"ellipsoid", "common/ellipsoid_facets"}, {0}};
+
+static const struct rl_effect_param param[] = {
+    {.key = "reflectance",
+     .help = "at normal incidence; or n and k",
+     .kind = RL_EFFECT_COLOUR,
+     .high = 1.0,
+     .absent = {NAN, NAN, NAN},
+     .coefficient = true},
+    {.key = "n",
+     .help = "real part of the index of refraction",
+     .kind = RL_EFFECT_COLOUR,
+     .low = 0.01,
+     .high = 100.0,
+     .absent = {NAN, NAN, NAN},
+     .coefficient = true},
+    {.key = "k",
+     .help = "imaginary part of the index of refraction, 0 for dielectrics",
+     .kind = RL_EFFECT_COLOUR,
+     .high = 100.0,
+     .absent = {NAN, NAN, NAN}},
+    {.key = "roughness",
+     .help = "m: the facets' rms slope for beckmann, 1/R_r for ellipsoid",
+     .low = 0.001,
+     .high = 10.0,
+     .required = true},
+    {.key = "distribution",
+     .help = "of the facets' normals",
+     .kind = RL_EFFECT_CHOICE,
+     .choice = distribution},
+    {0},
+};
+
+const struct rl_effect rl_effect_cook_torrance = {
+    .name = "cook-torrance",
+    .summary =
+        "F D G / (4 N.V): microfacets with Fresnel's reflectance, in light of points and parallel light",
+    .sees = RL_SEES_SOURCES,
+    .roles = RL_ROLE_SPECULAR,
+    .param = param,
+    .modules = {"common/fresnel"},
+    .check = check,
+    .n_params = 2,
+    .pack = pack,
+    .reflect = reflect,
+    .absolute = 1e-6,
+    .relative = 1e-4,
+};

@@ -1,0 +1,43 @@
+/* Fresnel's reflectance of unpolarised light at a smooth surface between air and a medium of complex index n - i k (Born and Wolf,
+ * Principles of Optics, 7th ed., sections 1.5.2 and 14.2). With c the cosine of the angle of incidence and s^2 = 1 - c^2:
+ *
+ *     a + i b = sqrt((n - i k)^2 - s^2):   a^2 + b^2 = sqrt(x^2 + 4 n^2 k^2),  a^2 - b^2 = x = n^2 - k^2 - s^2
+ *     R_s = ((a - c)^2 + b^2) / ((a + c)^2 + b^2)
+ *     R_p = R_s ((a c - s^2)^2 + b^2 c^2) / ((a c + s^2)^2 + b^2 c^2)
+ *     F = (R_s + R_p)/2
+ *
+ * At c = 1 it is ((n - 1)^2 + k^2)/((n + 1)^2 + k^2), at c = 0 it is 1. k = 0 is a dielectric; n < 1 with total reflection beyond
+ * s = n. n = 1 and k = 0 is no surface: 0, also at c = 0, where the formula is 0/0.
+ */
+#ifndef RL_MODEL_FRESNEL_H
+#define RL_MODEL_FRESNEL_H
+
+#include <math.h>
+
+/* Indices: 0.01 to 1e8 and 0 to 100, c from 0 to 1. */
+static inline double rl_fresnel(double n, double k, double c)
+{
+    /* n^2 - s^2 by what cancels less. */
+    double ss = (1.0 - c) * (1.0 + c), x = (n > 0.7 ? (n - 1.0) * (n + 1.0) + c * c : n * n - ss) - k * k;
+    double m = sqrt(x * x + 4.0 * n * n * k * k);
+    /* The smaller of a^2 and b^2 as a quotient, for their product is (n k)^2 and their difference would cancel. */
+    double larger = 0.5 * (m + fabs(x)), smaller = larger > 0.0 ? n * n * k * k / larger : 0.0;
+    double a = sqrt(x >= 0.0 ? larger : smaller), bb = x >= 0.0 ? smaller : larger;
+    double below = (a + c) * (a + c) + bb;
+    if (!(below > 0.0))
+        return 0.0;
+    double r_s = ((a - c) * (a - c) + bb) / below;
+    double p_below = (a * c + ss) * (a * c + ss) + bb * c * c;
+    double p = p_below > 0.0 ? ((a * c - ss) * (a * c - ss) + bb * c * c) / p_below : 1.0;
+    return 0.5 * r_s * (1.0 + p);
+}
+
+/* The index of the dielectric that reflects this part (0 to 1) at normal incidence (Cook and Torrance 1982). A perfect mirror has none;
+ * it gets one that reflects all but 4e-8. */
+static inline double rl_fresnel_index(double reflectance)
+{
+    double root = sqrt(reflectance);
+    return root < 1.0 ? fmin((1.0 + root) / (1.0 - root), 1e8) : 1e8;
+}
+
+#endif
