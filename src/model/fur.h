@@ -1,0 +1,44 @@
+/* Terms of fur models: fibres along n, unit vectors l to the light and e to the eye, no surface but the fibres.
+ *
+ *     |n x l|                                          a fibre's share of light from l, seen from the side
+ *     (l.n)(-n.e) + |n x l||n x e| = cos(psi - theta)  Kajiya and Kay 1989: light is mirrored into the cone about n of half angle psi,
+ *                                                      psi between n and l; theta is between n and -e; 1 where e lies on the cone
+ *     (l.n)(-n.e) - |n x l||n x e| = cos(psi + theta)  as a widely copied listing has it, a wrong sign
+ *     kappa = (n x l).(n x e)/(|n x l||n x e|)         Goldman 1997: cosine of the angle about n between light and eye
+ *
+ * The sines are lengths of cross products and so accurate near 0. kappa is 0/0 where n is parallel to l or e: no angle is meant there.
+ * Here it goes to 0, the mean over all angles, by both sines counting for RL_FUR_PARALLEL at least: continuous, and as it was but for
+ * directions less than 0.006 degrees from parallel. */
+#ifndef RL_MODEL_FUR_H
+#define RL_MODEL_FUR_H
+
+#include "model/vec3.h"
+
+#define RL_FUR_PARALLEL 1e-4
+
+static inline double rl_fur_sine(rl_vec3 n, rl_vec3 a)
+{
+    return v3_length(v3_cross(n, a));
+}
+
+/* cos(psi - theta), 0 where the eye is more than 90 degrees off the cone. */
+static inline double rl_fur_cone(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+{
+    double c = rl_fur_sine(n, l) * rl_fur_sine(n, e) - v3_dot(n, l) * v3_dot(n, e);
+    return fmin(fmax(c, 0.0), 1.0);
+}
+
+/* |cos(psi + theta)|: the listing squares it three times for an 8th power, which loses its sign. */
+static inline double rl_fur_cone_printed(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+{
+    double c = rl_fur_sine(n, l) * rl_fur_sine(n, e) + v3_dot(n, l) * v3_dot(n, e);
+    return fmin(fabs(c), 1.0);
+}
+
+static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+{
+    rl_vec3 a = v3_cross(n, l), b = v3_cross(n, e);
+    return v3_dot(a, b) / (fmax(v3_length(a), RL_FUR_PARALLEL) * fmax(v3_length(b), RL_FUR_PARALLEL));
+}
+
+#endif
