@@ -52,9 +52,18 @@ struct rl_source {
         [3]; /* radiant intensity (E = I/r^2); parallel: irradiance on a plane perpendicular to its rays; RGB, >= 0 */
 };
 
+/* A polygon that shines from both sides. */
+struct rl_area_light {
+    const rl_vec3 *vertex; /* the scene's */
+    int n;
+    double radiance
+        [3]; /* of a mesh's polygons half the mesh's: a ray into a closed, convex body meets two of its faces */
+};
+
 /* The lights of a scene as effects see them; see rl_scene_lights_make. */
 struct rl_lights {
-    size_t n_points, n_sources;
+    size_t n_points, n_sources, n_areas;
+    struct rl_area_light *area;   /* every polygon of every shaped light */
     struct rl_point_light *point; /* every shaped light */
     const struct rl_source *source;
 };
@@ -95,8 +104,9 @@ struct rl_effect_param {
 
 /* What of the lights enters. */
 enum rl_effect_sees {
-    RL_SEES_SOURCES = 1,  /* point and parallel lights; with `reflect` */
-    RL_SEES_CENTROIDS = 2 /* shaped lights shrunk to points; with `reflect` */
+    RL_SEES_SOURCES = 1,   /* point and parallel lights; with `reflect` */
+    RL_SEES_CENTROIDS = 2, /* shaped lights shrunk to points; with `reflect` */
+    RL_SEES_POLYGONS = 4   /* shaped lights as they are; with `area` */
 };
 
 /* What an effect is a model of. Two effects of one material that are models of the same thing are an error. */

@@ -49,6 +49,18 @@ static void add_incident(const struct sum *sum, const struct rl_incident *incide
         sum->rgb[c] += incident->irradiance[c] * all[c];
 }
 
+static void add_area(const struct sum *sum, const struct rl_area_light *light)
+{
+    double part[3];
+    for (size_t i = 0; i < sum->n; i++) {
+        if (!sum->effects[i]->area)
+            continue;
+        sum->effects[i]->area(sum->s, light->vertex, light->n, sum->params[i], part);
+        for (int c = 0; c < 3; c++)
+            sum->rgb[c] += light->radiance[c] * part[c];
+    }
+}
+
 void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
                       const struct rl_surface *s, const struct rl_lights *lights, double rgb[3])
 {
@@ -69,4 +81,6 @@ void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double p
     for (size_t i = 0; i < lights->n_points; i++)
         if (rl_incident_from_centroid(&incident, &lights->point[i], s->P))
             add_incident(&sum, &incident, RL_SEES_CENTROIDS);
+    for (size_t i = 0; i < lights->n_areas; i++)
+        add_area(&sum, &lights->area[i]);
 }

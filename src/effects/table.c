@@ -5,6 +5,7 @@
 #define EFFECTS(X)     \
     X(ambient)         \
     X(diffuse)         \
+    X(diffuse_area)    \
     X(phong)           \
     X(blinn)           \
     X(cook_torrance)   \

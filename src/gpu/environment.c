@@ -7,185 +7,12 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/clock.h"
 #include "gpu/scene.h"
 #include "gpu/textures.h"
 
 static const double NEAR_RATIO = 1e-6;
-
-struct light_vertex {
-    float position[3], radiance[3];
-};
-
-/* As the shaders' uniform blocks lay them out (std140). */
-struct point_block {
-    float position[4], normal[4], radiance[4];
-};
-
-static void store(float to[3], rl_vec3 v)
-{
-    to[0] = (float)v.x;
-    to[1] = (float)v.y;
-    to[2] = (float)v.z;
-}
-
-static size_t count_vertices(const struct rl_scene *scene)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < scene->n_lights; i++)
-        for (size_t j = 0; j < scene->light[i].n_polygons; j++)
-            n += 3 * (size_t)(scene->light[i].polygon[j].n - 2);
-    return n;
-}
-
-static size_t fill_polygon(struct light_vertex *to, const struct rl_polygon *p, const float texel[3])
-{
-    size_t n = 0;
-    for (int t = 0; t < p->n - 2; t++)
-        for (int k = 0; k < 3; k++, n++) {
-            store(to[n].position, p->vertex[p->triangle[t][k]]);
-            memcpy(to[n].radiance, texel, sizeof to[n].radiance);
-        }
-    return n;
-}
-
-static int fill_vertices(struct rl_gpu_scene *gs, struct rl_error *error)
-{
-    const struct rl_scene *scene = gs->scene;
-    const struct rl_gl *gl = &gs->gpu->gl;
-    size_t count = count_vertices(scene);
-    struct light_vertex *vertex = malloc((count + 1) * sizeof *vertex);
-    if (!vertex)
-        return rl_fail_memory(error, "the lights' vertices");
-    size_t n = 0;
-    for (size_t i = 0; i < scene->n_lights; i++) {
-        const struct rl_light *light = &scene->light[i];
-        float texel[3];
-        for (int c = 0; c < 3; c++)
-            texel[c] =
-                rl_texel_nearest(gs->plan->settings.env_format, c, light->radiance[c] / gs->environment_unit);
-        for (size_t j = 0; j < light->n_polygons; j++)
-            n += fill_polygon(vertex + n, &light->polygon[j], texel);
-    }
-    gl->BindBuffer(GL_ARRAY_BUFFER, gs->lights.vertex_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(n * sizeof *vertex), vertex, GL_STATIC_DRAW);
-    gs->lights.n_vertices = (GLsizei)n;
-    gs->counters.bytes_uploaded += n * sizeof *vertex;
-    free(vertex);
-    return RL_OK;
-}
-
-static int fill_blocks(struct rl_gpu_scene *gs, struct rl_error *error)
-{
-    const struct rl_scene *scene = gs->scene;
-    const struct rl_gl *gl = &gs->gpu->gl;
-    size_t n = scene->n_lights;
-    struct point_block *point = calloc(n + 1, sizeof *point);
-    float(*sphere)[4] = calloc(n + 1, sizeof *sphere);
-    if (!point || !sphere) {
-        free(point);
-        free(sphere);
-        return rl_fail_memory(error, "the lights");
-    }
-    for (size_t i = 0; i < n; i++) {
-        struct rl_point_light p = rl_light_as_point(&scene->light[i]);
-        store(point[i].position, p.position);
-        point[i].position[3] = (float)p.area;
-        store(point[i].normal, p.normal);
-        for (int c = 0; c < 3; c++)
-            point[i].radiance[c] = (float)p.radiance[c];
-        store(sphere[i], scene->light[i].centre);
-        sphere[i][3] = (float)scene->light[i].radius;
-    }
-    gl->BindBuffer(GL_UNIFORM_BUFFER, gs->lights.points);
-    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)((n + 1) * sizeof *point), point, GL_STATIC_DRAW);
-    gl->BindBuffer(GL_UNIFORM_BUFFER, gs->lights.spheres);
-    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)((n + 1) * sizeof *sphere), sphere, GL_STATIC_DRAW);
-    gs->counters.bytes_uploaded += (n + 1) * (sizeof *point + sizeof *sphere);
-    free(point);
-    free(sphere);
-    return RL_OK;
-}
-
-/* As the shaders' block has them. */
-struct source_block {
-    float at[4], strength[4];
-};
-
-static int make_sources(struct rl_gpu_scene *gs, size_t limit_bytes, struct rl_error *error)
-{
-    const struct rl_scene *scene = gs->scene;
-    const struct rl_gl *gl = &gs->gpu->gl;
-    size_t n = scene->n_sources;
-    if (!(gs->plan->sees & RL_SEES_SOURCES))
-        return RL_OK;
-    struct source_block *block = calloc(n + 1, sizeof *block);
-    if (!block)
-        return rl_fail_memory(error, "the lights");
-    if (n * sizeof *block > limit_bytes) {
-        free(block);
-        return rl_fail(error, RL_ERR_INPUT, "%zu point and parallel lights: the GPU pipeline takes up to %zu",
-                       n, limit_bytes / sizeof *block);
-    }
-    for (size_t i = 0; i < n; i++) {
-        const struct rl_source *source = &scene->source[i];
-        store(block[i].at, source->at);
-        block[i].at[3] = source->parallel ? 0.0f : 1.0f;
-        for (int c = 0; c < 3; c++)
-            block[i].strength[c] = (float)source->strength[c];
-    }
-    gl->GenBuffers(1, &gs->lights.sources);
-    gl->BindBuffer(GL_UNIFORM_BUFFER, gs->lights.sources);
-    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)(n * sizeof *block), block, GL_STATIC_DRAW);
-    gs->counters.bytes_uploaded += n * sizeof *block;
-    free(block);
-    return RL_OK;
-}
-
-static int fill_lights(struct rl_gpu_scene *gs, struct rl_error *error)
-{
-    int status = fill_vertices(gs, error);
-    if (status == RL_OK)
-        status = fill_blocks(gs, error);
-    return status == RL_OK ? rl_gl_check(&gs->gpu->gl, "uploading the lights", error) : status;
-}
-
-int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error)
-{
-    const struct rl_gl *gl = &gs->gpu->gl;
-    GLint largest = 0;
-    gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &largest);
-    size_t limit = (size_t)largest / sizeof(struct point_block);
-    if (gs->scene->n_lights > limit)
-        return rl_fail(error, RL_ERR_INPUT,
-                       "%zu lights: the GPU pipeline takes up to %zu (a mesh is one light)",
-                       gs->scene->n_lights, limit);
-    gl->GenVertexArrays(1, &gs->lights.vertex_array);
-    gl->GenBuffers(1, &gs->lights.vertex_buffer);
-    gl->GenBuffers(1, &gs->lights.points);
-    gl->GenBuffers(1, &gs->lights.spheres);
-    gl->BindVertexArray(gs->lights.vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, gs->lights.vertex_buffer);
-    for (GLuint i = 0; i < 2; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(struct light_vertex),
-                                (const void *)(i * sizeof(float[3])));
-    }
-    int status = make_sources(gs, (size_t)largest, error);
-    return status == RL_OK ? fill_lights(gs, error) : status;
-}
-
-void rl_lights_free(struct rl_gpu_scene *gs)
-{
-    const struct rl_gl *gl = &gs->gpu->gl;
-    gl->DeleteVertexArrays(1, &gs->lights.vertex_array);
-    gl->DeleteBuffers(1, &gs->lights.vertex_buffer);
-    gl->DeleteBuffers(1, &gs->lights.points);
-    gl->DeleteBuffers(1, &gs->lights.spheres);
-    gl->DeleteBuffers(1, &gs->lights.sources);
-}
 
 int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)
 {
@@ -298,7 +125,7 @@ int rl_gpu_scene_environment(struct rl_gpu_scene *gs, double *seconds, struct rl
 {
     double start = rl_clock_seconds();
     *seconds = 0.0;
-    int status = fill_lights(gs, error);
+    int status = rl_lights_fill(gs, error);
     if (status == RL_OK && gs->plan->n_environments > 0)
         status = draw_environments(gs, error);
     gs->gpu->gl.Finish();

@@ -38,6 +38,20 @@ static void write_incident(FILE *out, const struct rl_plan_material *m, unsigned
     fprintf(out, ");\n    }\n");
 }
 
+static void write_areas(FILE *out, const struct rl_plan_material *m)
+{
+    if (!(m->sees & RL_SEES_POLYGONS))
+        return;
+    fprintf(out, "    for (int i = 0; i < N_POLYGONS; i++) {\n        Polygon light = polygons[i];\n");
+    for (size_t i = 0; i < m->n_effects; i++)
+        if (m->effect[i]->area) {
+            fprintf(out, "        rgb += light.radiance.rgb * ");
+            call(out, "area", m->effect[i], "s, light.range.x, light.range.y");
+            fprintf(out, ";\n");
+        }
+    fprintf(out, "    }\n");
+}
+
 static void write_effects(FILE *out, const struct rl_plan_material *m)
 {
     write_uniforms(out, m);
@@ -50,6 +64,7 @@ static void write_effects(FILE *out, const struct rl_plan_material *m)
         }
     write_incident(out, m, RL_SEES_SOURCES, "N_SOURCES", "from_source");
     write_incident(out, m, RL_SEES_CENTROIDS, "N_LIGHTS", "from_centroid");
+    write_areas(out, m);
     fprintf(out, "    return rgb;\n}\n");
 }
 

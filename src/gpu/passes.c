@@ -78,10 +78,7 @@ static void begin_frame(const struct rl_gpu_scene *gs)
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     gl->Enable(GL_DEPTH_TEST);
     gl->Enable(GL_CULL_FACE);
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_LIGHTS, gs->lights.points);
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_SPHERES, gs->lights.spheres);
-    if (gs->lights.sources)
-        gl->BindBufferBase(GL_UNIFORM_BUFFER, RL_BLOCK_SOURCES, gs->lights.sources);
+    rl_lights_bind(gs);
 }
 
 static void surface_pass(struct rl_gpu_scene *gs)

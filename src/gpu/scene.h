@@ -9,6 +9,7 @@
 /* Binding points; the shaders name the same numbers. */
 enum { RL_UNIT_ENVIRONMENT, RL_UNIT_NORMAL_MAP };                               /* textures */
 enum { RL_BLOCK_LIGHTS, RL_BLOCK_PATTERN, RL_BLOCK_SPHERES, RL_BLOCK_SOURCES }; /* uniform buffers */
+enum { RL_STORE_POLYGONS, RL_STORE_POLYGON_VERTICES };                          /* shader storage */
 
 struct rl_gpu_object {
     GLuint vertex_array, vertex_buffer, index_buffer;
@@ -24,12 +25,12 @@ struct rl_gpu_material {
     float method_params[RL_EFFECT_PARAMS][4];
 };
 
-/* The lights as polygons, for environment maps, and as points and spheres. */
+/* The lights; 0 what the plan has no use for. */
 struct rl_gpu_lights {
     GLuint vertex_array, vertex_buffer;
     GLsizei n_vertices;
-    GLuint points, spheres; /* uniform buffers */
-    GLuint sources;         /* point and parallel lights; 0: nothing sees them */
+    GLuint points, spheres, sources;   /* uniform buffers */
+    GLuint polygons, polygon_vertices; /* shader storage */
 };
 
 struct rl_gpu_scene {
@@ -50,8 +51,10 @@ struct rl_gpu_scene {
     struct rl_gpu_counters counters;
 };
 
-/* environment.c: buffers for the lights, filled from the scene's present state. */
+/* lights.c: checks that the lights are not too many, fills their buffers from the scene's present state, binds them. */
 int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error);
+int rl_lights_fill(struct rl_gpu_scene *gs, struct rl_error *error);
+void rl_lights_bind(const struct rl_gpu_scene *gs);
 void rl_lights_free(struct rl_gpu_scene *gs);
 /* The cube maps of the objects that need one, not drawn yet. */
 int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error);

@@ -88,6 +88,8 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
         add_module(&program, "common", "sources");
     if (m->sees & RL_SEES_CENTROIDS)
         add_module(&program, "common", "centroids");
+    if (m->sees & RL_SEES_POLYGONS)
+        add_module(&program, "common", "polygons");
     for (size_t i = 0; i < m->n_effects; i++)
         rl_plan_add_effect(&program, m->effect[i],
                            rl_effect_given(&scene->material[m->material], m->effect[i]));
@@ -183,8 +185,8 @@ static void plan_material(struct rl_plan_material *m, const struct rl_scene *sce
     if (m->method)
         m->samples =
             m->method->sampled && settings->samples > 0 ? settings->samples : m->method->default_samples;
-    unsigned there =
-        (scene->n_lights > 0 ? RL_SEES_CENTROIDS : 0) | (scene->n_sources > 0 ? RL_SEES_SOURCES : 0);
+    unsigned there = (scene->n_lights > 0 ? RL_SEES_CENTROIDS | RL_SEES_POLYGONS : 0) |
+                     (scene->n_sources > 0 ? RL_SEES_SOURCES : 0);
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *effect = rl_effects[i];
         if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)))
