@@ -225,6 +225,9 @@ static bool plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
         plan->sees |= plan->material[plan->n_materials++].sees;
     }
     size_t on_gpu = 0;
+    /* Asked for a method of the CPU alone, a scene without any highlight is drawn there, too: the effects in double precision. */
+    const struct rl_method *asked = rl_method_find(plan->settings.method);
+    plan->on_cpu = asked && !asked->on_gpu;
     for (size_t i = 0; i < plan->n_materials; i++) {
         const struct rl_method *method = plan->material[i].method;
         plan->on_cpu = plan->on_cpu || (method && !method->on_gpu);

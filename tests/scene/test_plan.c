@@ -245,6 +245,42 @@ static void test_sources(void **state)
     clear();
 }
 
+/* An effect brings its own module, those it needs and those of its choices; with coefficient 0 or without its lights, nothing. */
+static void test_effects(void **state)
+{
+    (void)state;
+    load(13, 13, "    cook-torrance: {reflectance: [0.5, 0, 0], roughness: 0.2, distribution: ellipsoid}");
+    make(&scene.settings);
+    assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->n_effects, 0); /* there are shaped lights alone */
+    assert_false(any_module("effects/cook_torrance"));
+    clear();
+    load(25, 26, "    position: [0, 3, 0]\n    intensity: [1, 1, 1]");
+    struct rl_material *matt = &scene.material[1];
+    double *value = rl_effect_give(matt, rl_effect_find("cook-torrance"));
+    value[0] = 0.5;
+    value[1] = value[2] = 0.0;
+    value[9] = 0.2;
+    value[10] = 1.0;
+    make(&scene.settings);
+    int program = rl_plan_of_object(&plan, &scene, 1)->surface_program;
+    assert_true(has_module(program, "effects/cook_torrance"));
+    assert_true(has_module(program, "common/fresnel"));
+    assert_true(has_module(program, "common/ellipsoid_facets"));
+    assert_false(any_module("common/beckmann"));
+    assert_false(any_module("common/polygons"));
+    rl_plan_clear(&plan);
+    value[0] = 0.0;
+    make(&scene.settings);
+    assert_false(any_module("effects/cook_torrance"));
+    assert_false(any_module("common/fresnel"));
+    rl_plan_clear(&plan);
+    rl_effect_give_colour(matt, "diffuse-area", 1.0, 1.0, 1.0);
+    make(&scene.settings);
+    assert_true(any_module("common/polygons"));
+    assert_true(any_module("common/arctangent"));
+    clear();
+}
+
 /* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these,
  * too. */
 static void test_sharing(void **state)
@@ -356,9 +392,10 @@ int main(void)
         cmocka_unit_test(test_random),        cmocka_unit_test(test_regular),
         cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
         cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
-        cmocka_unit_test(test_sources),       cmocka_unit_test(test_sharing),
-        cmocka_unit_test(test_margin),        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_deterministic), cmocka_unit_test(test_modules_exist),
+        cmocka_unit_test(test_sources),       cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
+        cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
+        cmocka_unit_test(test_modules_exist),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -95,6 +95,35 @@ static void test_sources(void **state)
     rl_scene_clear(&s);
 }
 
+/* Values as written, those left out by default or not at all. */
+static void test_effects(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 13, 13,
+              "    diffuse: [0.1, 0.2, 0.3]\n"
+              "    cook-torrance: {n: [1, 2, 3], k: [4, 5, 6], roughness: 0.25, distribution: ellipsoid}");
+    const double *value = rl_effect_given(&s.material[1], rl_effect_find("cook-torrance"));
+    assert_true(isnan(value[0]) && isnan(value[2]));
+    check_near(value[4], 2.0, 0.0);
+    check_near(value[8], 6.0, 0.0);
+    check_near(value[9], 0.25, 0.0);
+    check_near(value[10], 1.0, 0.0);
+    assert_string_equal(rl_effect_module(rl_effect_find("cook-torrance"), value, 4),
+                        "common/ellipsoid_facets");
+    assert_null(rl_effect_given(&s.material[1], rl_effect_find("ambient")));
+    assert_null(rl_effect_given(&s.material[0], rl_effect_find("cook-torrance")));
+    rl_scene_clear(&s);
+
+    load_with(&s, 13, 13, "    lengyel: {diffuse: [0, 0, 0], specular: [0, 0.5, 0]}");
+    value = rl_effect_given(&s.material[1], rl_effect_find("lengyel"));
+    check_near(value[4], 0.5, 0.0);
+    check_near(value[6], 8.0, 0.0); /* the exponent's default */
+    check_near(value[7], 0.0, 0.0);
+    assert_true(rl_effect_wanted(&s.material[1], rl_effect_find("lengyel")));
+    rl_scene_clear(&s);
+}
+
 static void test_render_block(void **state)
 {
     (void)state;
@@ -321,19 +350,14 @@ static void test_star_is_in_view(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_as_written),
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_sources),
-        cmocka_unit_test(test_render_block),
-        cmocka_unit_test(test_placement),
-        cmocka_unit_test(test_rotation),
-        cmocka_unit_test(test_stretched_normals),
-        cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_mesh_light),
+        cmocka_unit_test(test_as_written),   cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_sources),      cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_render_block), cmocka_unit_test(test_placement),
+        cmocka_unit_test(test_rotation),     cmocka_unit_test(test_stretched_normals),
+        cmocka_unit_test(test_lights),       cmocka_unit_test(test_mesh_light),
         cmocka_unit_test(test_hash),
 
-        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_star_is_in_view),
+        cmocka_unit_test(test_scenes),       cmocka_unit_test(test_star_is_in_view),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
