@@ -1,0 +1,22 @@
+/* The steps of rl_plan_make, shared by the files that carry them out. */
+#ifndef RL_SCENE_PLAN_BUILD_H
+#define RL_SCENE_PLAN_BUILD_H
+
+#include "scene/plan.h"
+
+/* Programs a material can need: surface, sphere, highlight. */
+enum { RL_PROGRAMS_PER_MATERIAL = 3 };
+
+/* plan_passes.c: fills the material's programs and textures, adding to the plan what it does not have yet. */
+void rl_plan_passes(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m);
+int rl_plan_environment_program(struct rl_plan *plan);
+
+/* plan_drop.c: leaves out what cannot matter. First the objects that the camera cannot see; then, when materials have their effects and
+ * methods, the lights (plan->light, plan->source) that are behind every surface that is left, and the highlights of the objects that have
+ * every shaped light behind them. */
+void rl_plan_drop_objects(struct rl_plan *plan, const struct rl_scene *scene);
+void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene);
+/* Rows of plan->drop: whatever is in the scene and not in the finished plan, and why. */
+int rl_plan_list_drops(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error);
+
+#endif
