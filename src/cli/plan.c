@@ -69,9 +69,12 @@ static void users(char detail[], size_t size, const struct rl_scene *scene, cons
     size_t used = (size_t)snprintf(detail, size, "objects");
     for (size_t i = 0; i < scene->n_objects && used < size; i++) {
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
+        if (!plan->object[i].drawn)
+            continue;
         bool environment = index == plan->environment_program && plan->environment[i] >= 0;
-        if (environment || m->surface_program == index || m->highlight_program == index ||
-            m->sphere_program == index)
+        bool highlight =
+            plan->object[i].highlit && (m->highlight_program == index || m->sphere_program == index);
+        if (environment || highlight || m->surface_program == index)
             used += (size_t)snprintf(detail + used, size - used, " %s", scene->object[i].name);
     }
 }
@@ -121,6 +124,11 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
     static const char *const passes[] = {"environment", "surface", "sphere", "highlight"};
     for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
         program_rows(&rows, scene, &plan, passes[i]);
+    for (size_t i = 0; i < plan.n_drops; i++) {
+        char name[96];
+        snprintf(name, sizeof name, "%s %s", plan.drop[i].kind, plan.drop[i].name);
+        row(&rows, "dropped", name, plan.drop[i].reason);
+    }
     rl_rows_end(&rows);
     rl_plan_clear(&plan);
     return RL_OK;
@@ -148,7 +156,9 @@ const struct rl_command rl_command_plan = {
         "shader modules that\n"
         "follow from them. What is not listed is not allocated, compiled or drawn. Rows: kind, name, detail; "
         "kinds are\n"
-        "effect, highlight, texture, buffer, pass, module.\n\n"
+        "effect, highlight, texture, buffer, pass, module; and dropped: what the scene has but cannot change "
+        "a "
+        "pixel, and why.\n\n"
         "  roughlight plan studies/scenes/teapot-star.yaml\n"
         "  roughlight plan studies/scenes/teapot-star.yaml --method plain        what one pass alone needs\n"
         "  roughlight plan studies/scenes/two-roughness.yaml --margin 0.2 --format json",

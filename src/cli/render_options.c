@@ -27,6 +27,8 @@ const struct rl_option rl_options_render[] = {
     {0, "light-from", "WHERE",
      "reference: lights seen from each point, or from the object's centre as a map does: point, object "
      "(point)"},
+    {0, "drop", "on|off",
+     "leave out what cannot change a pixel: lights behind every surface, objects out of view (on)"},
     {0, "shadows", "on|off", "reference: objects hide the lights from one another's highlights (off)"},
     {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
     {0, "backend", "NAME", "auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
@@ -131,6 +133,8 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
         status = take_seed(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "attenuation")))
         status = take_switch(&s->attenuation, text, "attenuation", error);
+    if (status == RL_OK && (text = rl_argument(a, "drop")))
+        status = take_switch(&s->drop, text, "drop", error);
     if (status == RL_OK && (text = rl_argument(a, "shadows")))
         status = take_switch(&s->shadows, text, "shadows", error);
     if (status == RL_OK && (text = rl_argument(a, "light-from")))

@@ -121,6 +121,8 @@ struct rl_effect {
     const char *summary; /* one line for --help and plan */
     unsigned sees;       /* enum rl_effect_sees */
     unsigned roles;      /* enum rl_effect_role */
+    bool
+        below; /* light from below the horizon counts as well; else `reflect` is 0 where N.L <= 0, and `area` of what is there */
     const struct rl_effect_param *param;
     const char *modules[RL_EFFECT_MODULES_MAX]; /* what the GLSL module needs beside those of its choices */
     /* Combinations of values that make no sense: NULL, or what was expected, and at which key. NULL where there are none. */

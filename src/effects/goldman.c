@@ -70,6 +70,7 @@ const struct rl_effect rl_effect_goldman = {
     .summary = "fur: Goldman, Kajiya's with transmission through the coat",
     .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
+    .below = true,
     .param = param,
     .modules = {"common/fur", "common/fur_cone", "common/fur_kappa"},
     .check = check,

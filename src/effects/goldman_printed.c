@@ -69,6 +69,7 @@ const struct rl_effect rl_effect_goldman_printed = {
     .summary = "fur as a listing has Goldman, on kajiya-printed and with Lambert's term unclamped",
     .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
+    .below = true,
     .param = param,
     .modules = {"common/fur", "common/fur_cone_printed", "common/fur_kappa"},
     .check = check,

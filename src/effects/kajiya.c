@@ -43,6 +43,7 @@ const struct rl_effect rl_effect_kajiya = {
     .summary = "fur: Kajiya and Kay, fibres along the normal",
     .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
+    .below = true,
     .param = param,
     .modules = {"common/fur", "common/fur_cone"},
     .n_params = 2,

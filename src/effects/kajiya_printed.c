@@ -44,6 +44,7 @@ const struct rl_effect rl_effect_kajiya_printed = {
     .summary = "fur as a listing has Kajiya and Kay, with a wrong sign and a lost one",
     .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
+    .below = true,
     .param = param,
     .modules = {"common/fur", "common/fur_cone_printed"},
     .n_params = 2,

@@ -44,6 +44,7 @@ const struct rl_effect rl_effect_lengyel = {
     .summary = "fur: Lengyel, a highlight by the half vector",
     .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
+    .below = true,
     .param = param,
     .modules = {"common/fur"},
     .n_params = 2,

@@ -46,12 +46,18 @@ static bool needs_triangles(const struct rl_plan *plan)
     return plan->n_environments > 0;
 }
 
-static size_t count_vertices(const struct rl_scene *scene)
+/* The i-th light of the plan. */
+static const struct rl_light *light_of(const struct rl_gpu_scene *gs, size_t i)
+{
+    return &gs->scene->light[gs->plan->light[i]];
+}
+
+static size_t count_vertices(const struct rl_gpu_scene *gs)
 {
     size_t n = 0;
-    for (size_t i = 0; i < scene->n_lights; i++)
-        for (size_t j = 0; j < scene->light[i].n_polygons; j++)
-            n += 3 * (size_t)(scene->light[i].polygon[j].n - 2);
+    for (size_t i = 0; i < gs->plan->n_lights; i++)
+        for (size_t j = 0; j < light_of(gs, i)->n_polygons; j++)
+            n += 3 * (size_t)(light_of(gs, i)->polygon[j].n - 2);
     return n;
 }
 
@@ -68,11 +74,10 @@ static size_t fill_triangle_fan(struct light_vertex *to, const struct rl_polygon
 
 static int fill_triangles(struct rl_gpu_scene *gs, struct rl_error *error)
 {
-    const struct rl_scene *scene = gs->scene;
-    size_t count = count_vertices(scene), n = 0;
+    size_t count = count_vertices(gs), n = 0;
     struct light_vertex *vertex = malloc((count + 1) * sizeof *vertex);
-    for (size_t i = 0; i < scene->n_lights && vertex; i++) {
-        const struct rl_light *light = &scene->light[i];
+    for (size_t i = 0; i < gs->plan->n_lights && vertex; i++) {
+        const struct rl_light *light = light_of(gs, i);
         float texel[3];
         for (int c = 0; c < 3; c++)
             texel[c] =
@@ -107,10 +112,10 @@ static bool needs_points(const struct rl_plan *plan)
 
 static int fill_points(struct rl_gpu_scene *gs, struct rl_error *error)
 {
-    size_t n = gs->scene->n_lights;
+    size_t n = gs->plan->n_lights;
     struct point_block *point = calloc(n + 1, sizeof *point);
     for (size_t i = 0; i < n && point; i++) {
-        struct rl_point_light p = rl_light_as_point(&gs->scene->light[i]);
+        struct rl_point_light p = rl_light_as_point(light_of(gs, i));
         store(point[i].position, p.position);
         point[i].position[3] = (float)p.area;
         store(point[i].normal, p.normal);
@@ -129,11 +134,11 @@ static bool needs_spheres(const struct rl_plan *plan)
 
 static int fill_spheres(struct rl_gpu_scene *gs, struct rl_error *error)
 {
-    size_t n = gs->scene->n_lights;
+    size_t n = gs->plan->n_lights;
     float(*sphere)[4] = calloc(n + 1, sizeof *sphere);
     for (size_t i = 0; i < n && sphere; i++) {
-        store(sphere[i], gs->scene->light[i].centre);
-        sphere[i][3] = (float)gs->scene->light[i].radius;
+        store(sphere[i], light_of(gs, i)->centre);
+        sphere[i][3] = (float)light_of(gs, i)->radius;
     }
     return upload(gs, GL_UNIFORM_BUFFER, &gs->lights.spheres, sphere, n * sizeof *sphere, error);
 }
@@ -145,10 +150,10 @@ static bool needs_sources(const struct rl_plan *plan)
 
 static int fill_sources(struct rl_gpu_scene *gs, struct rl_error *error)
 {
-    size_t n = gs->scene->n_sources;
+    size_t n = gs->plan->n_sources;
     struct source_block *block = calloc(n + 1, sizeof *block);
     for (size_t i = 0; i < n && block; i++) {
-        const struct rl_source *source = &gs->scene->source[i];
+        const struct rl_source *source = &gs->scene->source[gs->plan->source[i]];
         store(block[i].at, source->at);
         block[i].at[3] = source->parallel ? 0.0f : 1.0f;
         store_rgb(block[i].strength, source->strength);
@@ -164,7 +169,7 @@ static bool needs_polygons(const struct rl_plan *plan)
 static int fill_polygons(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     struct rl_lights seen;
-    int status = rl_scene_lights_make(&seen, gs->scene, error);
+    int status = rl_plan_lights_make(&seen, gs->plan, gs->scene, error);
     size_t n = seen.n_areas, n_vertices = 0;
     for (size_t i = 0; i < n; i++)
         n_vertices += (size_t)seen.area[i].n;
@@ -226,10 +231,10 @@ int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error)
     gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &largest);
     int status = RL_OK;
     if (needs_points(gs->plan) || needs_spheres(gs->plan))
-        status = check_number(gs->scene->n_lights, largest, sizeof(struct point_block),
+        status = check_number(gs->plan->n_lights, largest, sizeof(struct point_block),
                               "lights (a mesh is one light)", error);
     if (status == RL_OK && needs_sources(gs->plan))
-        status = check_number(gs->scene->n_sources, largest, sizeof(struct source_block),
+        status = check_number(gs->plan->n_sources, largest, sizeof(struct source_block),
                               "point and parallel lights", error);
     if (status != RL_OK || !needs_triangles(gs->plan))
         return status;

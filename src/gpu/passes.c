@@ -88,10 +88,18 @@ static void surface_pass(struct rl_gpu_scene *gs)
     gl->Disable(GL_STENCIL_TEST);
     gl->DepthFunc(GL_LESS);
     for (size_t i = 0; i < gs->scene->n_objects; i++)
-        draw_object(gs, &gs->object[i], gs->object[i].material->surface_program);
+        if (gs->plan->object[i].drawn)
+            draw_object(gs, &gs->object[i], gs->object[i].material->surface_program);
     /* What follows draws again what is visible and nothing else. */
     gl->DepthFunc(GL_EQUAL);
     gl->DepthMask(GL_FALSE);
+}
+
+/* Whether the object's highlight has a pass of its own in which it is drawn. */
+static bool has_highlight(const struct rl_gpu_scene *gs, size_t object)
+{
+    const struct rl_plan_object *o = &gs->plan->object[object];
+    return o->drawn && o->highlit && gs->object[object].material->highlight_program >= 0;
 }
 
 static void sphere_pass(struct rl_gpu_scene *gs)
@@ -102,7 +110,7 @@ static void sphere_pass(struct rl_gpu_scene *gs)
     gl->StencilFunc(GL_ALWAYS, 1, 0xff);
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     for (size_t i = 0; i < gs->scene->n_objects; i++)
-        if (gs->object[i].material->sphere_program >= 0)
+        if (has_highlight(gs, i) && gs->object[i].material->sphere_program >= 0)
             draw_object(gs, &gs->object[i], gs->object[i].material->sphere_program);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -118,7 +126,7 @@ static void highlight_pass(struct rl_gpu_scene *gs)
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     for (size_t i = 0; i < gs->scene->n_objects; i++) {
         const struct rl_plan_material *m = gs->object[i].material;
-        if (m->highlight_program < 0)
+        if (!has_highlight(gs, i))
             continue;
         gl->StencilFunc(GL_EQUAL, m->sphere_program >= 0 ? 1 : 0, 0xff);
         draw_object(gs, &gs->object[i], m->highlight_program);
@@ -142,7 +150,7 @@ int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error
 {
     bool spheres = false;
     for (size_t i = 0; i < gs->scene->n_objects; i++)
-        spheres = spheres || gs->object[i].material->sphere_program >= 0;
+        spheres = spheres || (has_highlight(gs, i) && gs->object[i].material->sphere_program >= 0);
     double start = rl_clock_seconds();
     begin_frame(gs);
     surface_pass(gs);

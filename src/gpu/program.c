@@ -41,7 +41,7 @@ static int write_defines(char **text, const struct rl_plan *plan, const struct r
         asprintf(text,
                  "#define N_LIGHTS %zu\n#define N_SOURCES %zu\n#define N_POLYGONS %zu\n#define SAMPLES %d\n"
                  "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
-                 scene->n_lights, scene->n_sources, rl_scene_polygons(scene), program->samples,
+                 plan->n_lights, plan->n_sources, rl_plan_polygons(plan, scene), program->samples,
                  plan->settings.normal_size, rl_normal_map_step(plan->settings.normal_size));
     if (n < 0) {
         *text = NULL;

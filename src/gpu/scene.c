@@ -181,6 +181,8 @@ static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error)
         struct rl_gpu_object *object = &gs->object[i];
         const struct rl_mesh *mesh = &gs->scene->object[i].mesh;
         int environment = gs->plan->environment[i];
+        if (!gs->plan->object[i].drawn)
+            continue;
         if (mesh->n_triangles > INT_MAX / 3)
             return rl_fail(error, RL_ERR_INPUT,
                            "object %zu: %zu triangles are more than OpenGL draws at once", i,

@@ -10,10 +10,11 @@
 #include "scene/plan_build.h"
 
 /* What the material itself says, with the settings' overrides. */
-static void plan_material(struct rl_plan_material *m, const struct rl_scene *scene, int index,
-                          const struct rl_settings *settings)
+static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan,
+                          const struct rl_scene *scene, int index)
 {
     const struct rl_material *material = &scene->material[index];
+    const struct rl_settings *settings = &plan->settings;
     *m = (struct rl_plan_material){
         .material = index,
         .rr = settings->rr > 0.0 ? settings->rr : material->rr,
@@ -25,13 +26,17 @@ static void plan_material(struct rl_plan_material *m, const struct rl_scene *sce
     };
     const double *k_s = material->specular;
     bool shiny = k_s[0] > 0.0 || k_s[1] > 0.0 || k_s[2] > 0.0;
-    if (scene->n_lights > 0 && shiny && material->method)
+    bool highlit = false;
+    for (size_t i = 0; i < scene->n_objects; i++)
+        highlit = highlit ||
+                  (scene->object[i].material == index && plan->object[i].drawn && plan->object[i].highlit);
+    if (plan->n_lights > 0 && highlit && shiny && material->method)
         m->method = rl_method_find(settings->method ? settings->method : material->method);
     if (m->method)
         m->samples =
             m->method->sampled && settings->samples > 0 ? settings->samples : m->method->default_samples;
-    unsigned there = (scene->n_lights > 0 ? RL_SEES_CENTROIDS | RL_SEES_POLYGONS : 0) |
-                     (scene->n_sources > 0 ? RL_SEES_SOURCES : 0);
+    unsigned there = (plan->n_lights > 0 ? RL_SEES_CENTROIDS | RL_SEES_POLYGONS : 0) |
+                     (plan->n_sources > 0 ? RL_SEES_SOURCES : 0);
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *effect = rl_effects[i];
         if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)))
@@ -40,22 +45,28 @@ static void plan_material(struct rl_plan_material *m, const struct rl_scene *sce
         m->sees |= effect->sees & there;
     }
     bool lit = m->sees & RL_SEES_CENTROIDS || (m->method && m->method->needs_point_lights);
-    m->n_point_lights = lit ? (int)scene->n_lights : 0;
+    m->n_point_lights = lit ? (int)plan->n_lights : 0;
 }
 
-/* Fills the materials that some object wears; false if some of their methods run on the CPU alone and
- * others on the GPU. */
-static bool plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
+/* Fills the materials that some object in view wears. */
+static void plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
 {
+    plan->n_materials = 0;
+    plan->sees = 0;
     for (size_t i = 0; i < scene->n_materials; i++) {
         bool worn = false;
         for (size_t j = 0; j < scene->n_objects; j++)
-            worn = worn || scene->object[j].material == (int)i;
+            worn = worn || (plan->object[j].drawn && scene->object[j].material == (int)i);
         if (!worn)
             continue;
-        plan_material(&plan->material[plan->n_materials], scene, (int)i, &plan->settings);
+        plan_material(&plan->material[plan->n_materials], plan, scene, (int)i);
         plan->sees |= plan->material[plan->n_materials++].sees;
     }
+}
+
+/* False if some materials' methods run on the CPU alone and others' on the GPU. */
+static bool choose_side(struct rl_plan *plan)
+{
     size_t on_gpu = 0;
     /* Asked for a method of the CPU alone, a scene without any highlight is drawn there, too: the effects in double precision. */
     const struct rl_method *asked = rl_method_find(plan->settings.method);
@@ -111,7 +122,8 @@ static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene
 {
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        bool needed = m->method && m->method->needs_environment;
+        bool needed =
+            plan->object[i].drawn && m->method && m->method->needs_environment && plan->object[i].highlit;
         plan->environment[i] = needed ? (int)plan->n_environments++ : -1;
     }
     plan->environment_program =
@@ -126,10 +138,55 @@ static int allocate(struct rl_plan *plan, const struct rl_scene *scene, struct r
     plan->normal_map = calloc(n, sizeof *plan->normal_map);
     plan->pattern = calloc(n, sizeof *plan->pattern);
     plan->environment = calloc(scene->n_objects + 1, sizeof *plan->environment);
-    if (plan->material && plan->program && plan->normal_map && plan->pattern && plan->environment)
+    plan->object = calloc(scene->n_objects + 1, sizeof *plan->object);
+    plan->light = calloc(scene->n_lights + 1, sizeof *plan->light);
+    plan->source = calloc(scene->n_sources + 1, sizeof *plan->source);
+    if (plan->material && plan->program && plan->normal_map && plan->pattern && plan->environment &&
+        plan->object && plan->light && plan->source)
         return RL_OK;
     rl_plan_clear(plan);
     return rl_fail_memory(error, "a plan");
+}
+
+/* All of the scene, but for what the camera does not see. */
+static void begin(struct rl_plan *plan, const struct rl_scene *scene)
+{
+    if (plan->settings.width == 0 || plan->settings.height == 0) {
+        plan->settings.width = scene->width;
+        plan->settings.height = scene->height;
+    }
+    plan->n_lights = scene->n_lights;
+    plan->n_sources = scene->n_sources;
+    for (size_t i = 0; i < scene->n_lights; i++)
+        plan->light[i] = i;
+    for (size_t i = 0; i < scene->n_sources; i++)
+        plan->source[i] = i;
+    rl_plan_drop_objects(plan, scene);
+    for (size_t i = 0; i < scene->n_objects; i++)
+        plan->object[i].highlit = true;
+}
+
+static int check(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
+{
+    if (!choose_side(plan))
+        return rl_fail(error, RL_ERR_INPUT,
+                       "%s: the method %s runs on the CPU alone and %s on the GPU alone, expected one side "
+                       "for all materials; "
+                       "--method makes them one",
+                       scene->path, method_only(plan, false), method_only(plan, true));
+    int status = check_frame(plan, scene, error);
+    return status == RL_OK ? check_shadows(plan, scene, error) : status;
+}
+
+/* Over all lights, dropped or not: dropping leaves texels as they are. */
+static void scale_radiance(struct rl_plan *plan, const struct rl_scene *scene)
+{
+    double brightest = 0.0;
+    for (size_t i = 0; i < scene->n_lights; i++)
+        for (int c = 0; c < 3; c++)
+            brightest = fmax(brightest, scene->light[i].radiance[c]);
+    if (brightest > 0.0)
+        plan->radiance_scale = (float)brightest;
 }
 
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
@@ -141,36 +198,24 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
         status = allocate(plan, scene, error);
     if (status != RL_OK)
         return status;
-    if (plan->settings.width == 0 || plan->settings.height == 0) {
-        plan->settings.width = scene->width;
-        plan->settings.height = scene->height;
+    begin(plan, scene);
+    plan_materials(plan, scene);
+    status = check(plan, scene, error);
+    if (status == RL_OK) {
+        /* The CPU's integral is of all lights: its tolerance is one of the brightest. */
+        if (settings->drop && !plan->on_cpu) {
+            rl_plan_drop_lights(plan, scene);
+            plan_materials(plan, scene);
+        }
+        scale_radiance(plan, scene);
+        for (size_t i = 0; i < plan->n_materials && !plan->on_cpu; i++)
+            rl_plan_passes(plan, scene, &plan->material[i]);
+        plan_environments(plan, scene);
+        status = rl_plan_list_drops(plan, scene, error);
     }
-    if (!plan_materials(plan, scene)) {
-        status = rl_fail(error, RL_ERR_INPUT,
-                         "%s: the method %s runs on the CPU alone and %s on the GPU alone, expected one side "
-                         "for all materials; "
-                         "--method makes them one",
-                         scene->path, method_only(plan, false), method_only(plan, true));
+    if (status != RL_OK)
         rl_plan_clear(plan);
-        return status;
-    }
-    status = check_frame(plan, scene, error);
-    if (status == RL_OK)
-        status = check_shadows(plan, scene, error);
-    if (status != RL_OK) {
-        rl_plan_clear(plan);
-        return status;
-    }
-    double brightest = 0.0;
-    for (size_t i = 0; i < scene->n_lights; i++)
-        for (int c = 0; c < 3; c++)
-            brightest = fmax(brightest, scene->light[i].radiance[c]);
-    if (brightest > 0.0)
-        plan->radiance_scale = (float)brightest;
-    for (size_t i = 0; i < plan->n_materials && !plan->on_cpu; i++)
-        rl_plan_passes(plan, scene, &plan->material[i]);
-    plan_environments(plan, scene);
-    return RL_OK;
+    return status;
 }
 
 void rl_plan_clear(struct rl_plan *plan)
@@ -180,6 +225,10 @@ void rl_plan_clear(struct rl_plan *plan)
     free(plan->normal_map);
     free(plan->pattern);
     free(plan->environment);
+    free(plan->object);
+    free(plan->light);
+    free(plan->source);
+    free(plan->drop);
     *plan = (struct rl_plan){0};
 }
 

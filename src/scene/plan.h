@@ -55,6 +55,18 @@ struct rl_plan_pattern {
     const struct rl_method *method;
 };
 
+struct rl_plan_object {
+    bool drawn; /* false: outside the view */
+    bool
+        highlit; /* some shaped light is in front of its surface; false: the highlight's own passes leave it out */
+};
+
+/* What the scene has and the plan leaves out. */
+struct rl_plan_drop {
+    const char *kind; /* "object", "material", "light", "effect", "highlight" */
+    char name[72], reason[160];
+};
+
 struct rl_plan {
     struct rl_settings settings; /* with the scene's size filled in */
     unsigned sees;               /* enum rl_effect_sees: what of the lights any effect sees */
@@ -64,6 +76,11 @@ struct rl_plan {
     struct rl_plan_program *program;
     struct rl_plan_normal_map *normal_map;
     struct rl_plan_pattern *pattern;
+    size_t n_lights, n_sources;
+    size_t *light, *source;        /* indices in the scene of those that are not dropped */
+    struct rl_plan_object *object; /* per object */
+    size_t n_drops;
+    struct rl_plan_drop *drop;
     size_t n_environments;   /* cube maps */
     int *environment;        /* per object: its cube map's index, or -1 */
     int environment_program; /* index or -1; on the CPU none is needed */
@@ -71,7 +88,8 @@ struct rl_plan {
     float radiance_scale;
 };
 
-/* RL_ERR_INPUT: settings out of range, a frame that a method does not take, materials whose methods share neither the CPU nor the
+/* With settings.drop, what cannot change a pixel of this scene, as it is now, is left out: after a light, an object or the camera has moved,
+ * make another. RL_ERR_INPUT: settings out of range, a frame that a method does not take, materials whose methods share neither the CPU nor the
  * GPU, or shadows that a method cannot draw. */
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
                  struct rl_error *error);
@@ -81,7 +99,12 @@ void rl_plan_clear(struct rl_plan *plan);
 void rl_plan_add_module(struct rl_plan_program *program, const char *module);
 void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value);
 
-/* The plan of the material an object wears. */
+/* The plan's shaped lights as effects see them (no sources); clear with rl_scene_lights_clear. And how many polygons they have. */
+int rl_plan_lights_make(struct rl_lights *lights, const struct rl_plan *plan, const struct rl_scene *scene,
+                        struct rl_error *error);
+size_t rl_plan_polygons(const struct rl_plan *plan, const struct rl_scene *scene);
+
+/* The plan of the material an object wears; NULL if no object that is drawn wears it. */
 const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene,
                                                  size_t object);
 

@@ -89,8 +89,6 @@ struct rl_point_light rl_light_as_point(const struct rl_light *light);
 
 /* The scene's lights as effects see them, in its order. Clear what was made, also after an error. */
 int rl_scene_lights_make(struct rl_lights *lights, const struct rl_scene *scene, struct rl_error *error);
-/* How many polygons all shaped lights have. */
-size_t rl_scene_polygons(const struct rl_scene *scene);
 void rl_scene_lights_clear(struct rl_lights *lights);
 
 /* World direction (unit) through the centre of pixel (x, y) of a width x height image; y = 0 is the top

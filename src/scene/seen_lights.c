@@ -1,7 +1,7 @@
 /* The lights of a scene as effects see them (struct rl_lights). */
 #include <stdlib.h>
 
-#include "scene/scene.h"
+#include "scene/plan.h"
 
 struct rl_point_light rl_light_as_point(const struct rl_light *light)
 {
@@ -11,14 +11,6 @@ struct rl_point_light rl_light_as_point(const struct rl_light *light)
         .area = light->area,
         .radiance = {light->radiance[0], light->radiance[1], light->radiance[2]},
     };
-}
-
-size_t rl_scene_polygons(const struct rl_scene *scene)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < scene->n_lights; i++)
-        n += scene->light[i].n_polygons;
-    return n;
 }
 
 static void add_areas(struct rl_lights *lights, const struct rl_light *light)
@@ -33,21 +25,45 @@ static void add_areas(struct rl_lights *lights, const struct rl_light *light)
     }
 }
 
+/* With the lights of these indices; NULL: all. */
+static int make(struct rl_lights *lights, const struct rl_scene *scene, const size_t *index, size_t n,
+                struct rl_error *error)
+{
+    size_t n_areas = 0;
+    for (size_t i = 0; i < n; i++)
+        n_areas += scene->light[index ? index[i] : i].n_polygons;
+    lights->point = calloc(n + 1, sizeof *lights->point);
+    lights->area = calloc(n_areas + 1, sizeof *lights->area);
+    if (!lights->point || !lights->area)
+        return rl_fail_memory(error, "the lights");
+    lights->n_points = n;
+    for (size_t i = 0; i < n; i++) {
+        const struct rl_light *light = &scene->light[index ? index[i] : i];
+        lights->point[i] = rl_light_as_point(light);
+        add_areas(lights, light);
+    }
+    return RL_OK;
+}
+
 int rl_scene_lights_make(struct rl_lights *lights, const struct rl_scene *scene, struct rl_error *error)
 {
-    *lights = (struct rl_lights){
-        .n_points = scene->n_lights, .n_sources = scene->n_sources, .source = scene->source};
-    lights->point = calloc(scene->n_lights + 1, sizeof *lights->point);
-    if (!lights->point)
-        return rl_fail_memory(error, "the lights");
-    for (size_t i = 0; i < scene->n_lights; i++)
-        lights->point[i] = rl_light_as_point(&scene->light[i]);
-    lights->area = calloc(rl_scene_polygons(scene) + 1, sizeof *lights->area);
-    if (!lights->area)
-        return rl_fail_memory(error, "the lights");
-    for (size_t i = 0; i < scene->n_lights; i++)
-        add_areas(lights, &scene->light[i]);
-    return RL_OK;
+    *lights = (struct rl_lights){.n_sources = scene->n_sources, .source = scene->source};
+    return make(lights, scene, NULL, scene->n_lights, error);
+}
+
+int rl_plan_lights_make(struct rl_lights *lights, const struct rl_plan *plan, const struct rl_scene *scene,
+                        struct rl_error *error)
+{
+    *lights = (struct rl_lights){0};
+    return make(lights, scene, plan->light, plan->n_lights, error);
+}
+
+size_t rl_plan_polygons(const struct rl_plan *plan, const struct rl_scene *scene)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < plan->n_lights; i++)
+        n += scene->light[plan->light[i]].n_polygons;
+    return n;
 }
 
 void rl_scene_lights_clear(struct rl_lights *lights)

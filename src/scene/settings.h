@@ -48,6 +48,7 @@ struct rl_settings {
     int width, height; /* pixels, 1 to 16384; 0: the scene's film */
     uint64_t seed;
     bool attenuation;
+    bool drop; /* the plan leaves out what cannot change a pixel; false: for comparison */
     enum rl_frame_kind frame;
     /* Reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1. */
     double tolerance;
@@ -65,6 +66,7 @@ struct rl_settings {
                           .margin_kind = RL_MARGIN_OFF,                                                      \
                           .seed = 1,                                                                         \
                           .attenuation = true,                                                               \
+                          .drop = true,                                                                      \
                           .frame = RL_FRAME_ORTHONORMAL,                                                     \
                           .tolerance = 1e-5})
 

@@ -1,0 +1,200 @@
+/* What the plan drops changes no pixel by a bit, and is named with its reason; what the GPU does follows from the plan. */
+#include "gpu/fixture.h"
+
+static struct rl_gpu *gpu;
+
+static int open_gpu(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    return rl_gpu_open(&gpu, "auto", &error);
+}
+
+static int close_gpu(void **state)
+{
+    (void)state;
+    rl_gpu_close(gpu);
+    return 0;
+}
+
+static void give(struct rl_material *material, const char *name, double first, double fourth)
+{
+    double *value = rl_effect_give(material, rl_effect_find(name));
+    value[0] = value[1] = value[2] = first;
+    value[3] = fourth;
+    value[4] = 20.0;
+}
+
+/* A floor seen from above with lights of every kind above and below it, a ball in view and one beside the camera. */
+static void begin_scene(struct rl_scene *scene, const char *method, bool ball)
+{
+    fixture_begin(scene, 64, 48);
+    fixture_camera(scene, v3(0.0, 2.0, 5.0), v3(0.0, 0.0, 0.0), 30.0);
+    int floor = fixture_material(scene, 20.0, 0.05, 0.5, 0.8, method);
+    int paint = fixture_material(scene, 10.0, 0.05, 0.5, 0.8, method);
+    fixture_material(scene, 10.0, 0.0, 0.5, 0.8, method); /* worn by nobody */
+    scene->material[0].name = "floor";
+    scene->material[1].name = "paint";
+    scene->material[2].name = "spare";
+    give(&scene->material[0], "phong", 0.4, 0.0);
+    fixture_object(scene, RL_SHAPE_PLANE, 4, 2.0, v3(0.0, 0.0, 0.0), floor);
+    scene->object[0].name = "floor";
+    fixture_object(scene, RL_SHAPE_SPHERE, 8, 0.5, v3(3.0, 2.0, 5.0), paint);
+    scene->object[1].name = "away";
+    if (ball) {
+        fixture_object(scene, RL_SHAPE_SPHERE, 8, 0.5, v3(0.5, 0.5, 0.0), paint);
+        scene->object[2].name = "ball";
+    }
+    fixture_quad(scene, v3(-1.0, 1.5, -2.0), v3(0.6, 0.0, 0.0), v3(0.0, 0.6, 0.2), 2.0, 1.5, 1.0);
+    fixture_quad(scene, v3(1.0, -1.5, -2.0), v3(0.6, 0.0, 0.0), v3(0.0, 0.6, 0.2), 7.0, 1.5, 1.0);
+    fixture_source(scene, false, v3(1.0, 1.0, 1.0), 1.0, 1.0, 0.5);
+    fixture_source(scene, false, v3(1.0, -1.0, 1.0), 5.0, 1.0, 0.5);
+    fixture_source(scene, true, v3(0.3, 1.0, 0.2), 0.5, 0.5, 0.5);
+    fixture_source(scene, true, v3(0.3, -1.0, 0.2), 3.0, 0.5, 0.5);
+    fixture_source(scene, true, v3(0.3, 1.0, 0.2), 0.0, 0.0, 0.0);
+    static char *const lights[] = {"high", "low"}, *const sources[] = {"bulb", "cellar", "sun", "antipodes",
+                                                                       "off"};
+    for (size_t i = 0; i < scene->n_lights; i++)
+        scene->light[i].name = lights[i];
+    for (size_t i = 0; i < scene->n_sources; i++)
+        scene->source[i].name = sources[i];
+}
+
+static void check_same(const struct rl_scene *scene, struct rl_settings settings)
+{
+    struct rl_image with, without;
+    settings.drop = true;
+    fixture_render(&with, gpu, scene, &settings);
+    settings.drop = false;
+    fixture_render(&without, gpu, scene, &settings);
+    assert_memory_equal(with.data, without.data,
+                        (size_t)with.width * (size_t)with.height * 4 * sizeof *with.data);
+    rl_image_clear(&with);
+    rl_image_clear(&without);
+}
+
+static bool dropped(const struct rl_plan *plan, const char *kind, const char *name, const char *reason)
+{
+    for (size_t i = 0; i < plan->n_drops; i++)
+        if (strcmp(plan->drop[i].kind, kind) == 0 && strcmp(plan->drop[i].name, name) == 0)
+            return strstr(plan->drop[i].reason, reason) != NULL;
+    return false;
+}
+
+static void test_same_bits(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {NULL, "plain", "regular", "random"};
+    for (size_t i = 0; i < sizeof methods / sizeof methods[0]; i++)
+        for (int ball = 0; ball < 2; ball++)
+            for (int k = 0; k < 4; k++) {
+                struct rl_scene scene;
+                struct rl_settings settings = RL_SETTINGS_DEFAULT;
+                settings.env_size = 64;
+                settings.attenuation = k != 1;
+                settings.margin_kind = k == 2 ? RL_MARGIN_VALUE : RL_MARGIN_OFF;
+                settings.margin = 0.3;
+                begin_scene(&scene, methods[i], ball);
+                if (k == 3) {
+                    memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
+                    give(&scene.material[0], "kajiya", 0.4, 0.2);
+                }
+                check_same(&scene, settings);
+                fixture_end(&scene);
+            }
+}
+
+/* The same of the scenes that come along. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"teapot-star", "sphere-quad", "two-roughness", "three-lights",
+                                        "lamps",       "window",      "metals",        "fur"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        struct rl_scene scene;
+        struct rl_error error;
+        char path[128];
+        snprintf(path, sizeof path, "studies/scenes/%s.yaml", names[i]);
+        check_ok(rl_scene_load(&scene, path, &error), &error);
+        scene.width = 96;
+        scene.height = 72;
+        check_same(&scene, scene.settings);
+        rl_scene_clear(&scene);
+    }
+}
+
+static void test_reasons(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    struct rl_scene scene;
+    struct rl_plan plan;
+    struct rl_settings settings = RL_SETTINGS_DEFAULT;
+    begin_scene(&scene, "random", false);
+    give(&scene.material[0], "diffuse-area", 0.0, 0.0);
+    check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+    assert_int_equal(plan.n_lights, 1);
+    assert_int_equal(plan.light[0], 0);
+    assert_int_equal(plan.n_sources, 2);
+    assert_int_equal(plan.source[0], 0);
+    assert_int_equal(plan.source[1], 2);
+    assert_int_equal(plan.n_materials, 1);
+    assert_int_equal(plan.n_environments, 1);
+    assert_true(plan.object[0].drawn && plan.object[0].highlit && !plan.object[1].drawn);
+    assert_int_equal(plan.n_drops, 8);
+    assert_true(dropped(&plan, "object", "away", "outside the view"));
+    assert_true(dropped(&plan, "material", "paint", "every object that wears it is outside the view"));
+    assert_true(dropped(&plan, "material", "spare", "no object wears it"));
+    assert_true(dropped(&plan, "light", "low", "behind every surface"));
+    assert_true(dropped(&plan, "light", "cellar", "behind every surface"));
+    assert_true(dropped(&plan, "light", "antipodes", "behind every surface"));
+    assert_true(dropped(&plan, "light", "off", "its strength is 0"));
+    assert_true(dropped(&plan, "effect", "diffuse-area", "material floor: its coefficients are 0"));
+    rl_plan_clear(&plan);
+    settings.drop = false;
+    check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+    assert_int_equal(plan.n_lights, 2);
+    assert_int_equal(plan.n_sources, 5);
+    assert_int_equal(plan.n_materials, 2);
+    assert_int_equal(plan.n_environments, 2);
+    rl_plan_clear(&plan);
+
+    /* Without attenuation the map is asked for directions below the horizon, too; fur is lit from there. */
+    settings.drop = true;
+    settings.attenuation = false;
+    check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+    assert_int_equal(plan.n_lights, 2);
+    assert_int_equal(plan.n_sources, 2);
+    rl_plan_clear(&plan);
+    settings.attenuation = true;
+    memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
+    give(&scene.material[0], "kajiya", 0.4, 0.2);
+    check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+    assert_int_equal(plan.n_lights, 2);
+    assert_int_equal(plan.n_sources, 4);
+    rl_plan_clear(&plan);
+
+    /* The high light gone, the floor has no highlight left, nor an environment map. */
+    memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
+    rl_polygon_clear(&scene.light[0].polygon[0]);
+    free(scene.light[0].polygon);
+    scene.light[0] = scene.light[1];
+    scene.n_lights = 1;
+    check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+    assert_int_equal(plan.n_environments + plan.n_normal_maps, 0);
+    assert_int_equal(plan.n_programs, 1);
+    assert_true(dropped(&plan, "highlight", "random", "material floor: every shaped light is behind"));
+    assert_true(dropped(&plan, "light", "bulb", "no effect or highlight sees such lights"));
+    rl_plan_clear(&plan);
+    fixture_end(&scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_same_bits),
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_reasons),
+    };
+    return cmocka_run_group_tests(tests, open_gpu, close_gpu);
+}
