@@ -43,7 +43,8 @@ extern const size_t rl_n_gpu_backends;
 
 /* What the GL layer counted since the scene was made or rl_gpu_scene_reset_counters. */
 struct rl_gpu_counters {
-    size_t draws, triangles, programs, textures, bytes_uploaded;
+    size_t draws, triangles, programs, modules, textures,
+        bytes_uploaded; /* modules: of all programs, each as often as it is in one */
 };
 
 /* Compiles the plan's programs, uploads meshes, bakes and uploads normal maps and patterns, allocates the

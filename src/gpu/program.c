@@ -114,17 +114,30 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
     }
 }
 
-/* A program's two texts. free() them. */
+/* A program's two texts, and of how many modules they are. free() the texts. */
 struct texts {
     char *vertex, *fragment;
+    size_t n_modules;
 };
 
+/* Of the modules from `first` to before `end`. */
+static int assemble_stage(char **text, struct texts *texts, const struct rl_plan_program *program,
+                          size_t first, size_t end, const char *defines, const char *glue,
+                          struct rl_error *error)
+{
+    int status = rl_modules_assemble(text, program, first, end, defines, glue, error);
+    if (status == RL_OK)
+        texts->n_modules += end - first;
+    return status;
+}
+
+/* The first module is the vertex shader's, the others are the fragment shader's. */
 static int assemble(struct texts *texts, const struct rl_plan_program *program, const char *defines,
                     const char *glue, struct rl_error *error)
 {
-    int status = rl_modules_assemble(&texts->vertex, program, 0, 1, defines, NULL, error);
+    int status = assemble_stage(&texts->vertex, texts, program, 0, 1, defines, NULL, error);
     return status == RL_OK
-               ? rl_modules_assemble(&texts->fragment, program, 1, program->n_modules, defines, glue, error)
+               ? assemble_stage(&texts->fragment, texts, program, 1, program->n_modules, defines, glue, error)
                : status;
 }
 
@@ -182,6 +195,7 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
         status = assemble(&texts, program, defines, glue, error);
     if (status == RL_OK)
         status = find_or_compile(&p->id, gpu, program, &texts, error);
+    p->n_modules = texts.n_modules;
     if (status == RL_OK)
         find_uniforms(p, &gpu->gl);
     free(texts.vertex);

@@ -7,6 +7,7 @@
 
 struct rl_gpu_program {
     GLuint id;
+    size_t n_modules;                        /* in its text */
     const struct rl_plan_material *material; /* the first that uses it; the others agree. NULL: environment */
     /* -1 where the program has no such uniform, which OpenGL ignores when set. */
     GLint clip_from_world, eye, specular, sphere_scale, seen_from, environment_unit;

@@ -45,6 +45,7 @@ static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
         if (status != RL_OK)
             return status;
         gs->counters.programs++;
+        gs->counters.modules += gs->program[i].n_modules;
     }
     return RL_OK;
 }

@@ -165,13 +165,45 @@ static void test_sources(void **state)
     check_near(rgb[0], sum / pi, 1e-14);
 }
 
+/* What `below` promises where it is not set: nothing of light at or below the horizon, nothing of a polygon there. */
+static void test_below(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < rl_n_effects; i++) {
+        const struct rl_effect *e = rl_effects[i];
+        struct rl_material material = {0};
+        double params[RL_EFFECT_PARAMS][4], rgb[3], most = 0.0;
+        double *value = rl_effect_give(&material, e);
+        for (size_t k = 0; k < rl_effect_values(e); k++)
+            value[k] = isnan(value[k]) ? NAN : 0.5;
+        for (size_t k = 0; e->param[k].help; k++)
+            if (e->param[k].kind == RL_EFFECT_CHOICE)
+                value[rl_effect_value_of(e, k)] = 0.0;
+            else if (e->param[k].coefficient || e->param[k].required)
+                value[rl_effect_value_of(e, k)] = fmax(0.5, e->param[k].low);
+        if (strncmp(e->name, "goldman", 7) == 0)
+            value[7] = 0.5;
+        e->pack(value, params);
+        for (int k = 0; k < 1000 && e->reflect; k++) {
+            double azimuth = 0.37 * k, height = -(k % 11) / 10.0, r = sqrt(1.0 - height * height);
+            const struct rl_surface s = {.N = {0.0, 0.0, 1.0}, .V = {sin(0.011 * k), 0.0, cos(0.011 * k)}};
+            e->reflect(&s, v3(r * cos(azimuth), r * sin(azimuth), height), params, rgb);
+            most = fmax(most, fabs(rgb[0]));
+        }
+        const rl_vec3 triangle[3] = {{1.0, 0.0, -1.0}, {-1.0, 1.0, -0.1}, {-1.0, -1.0, 0.0}};
+        if (e->area) {
+            e->area(&surface, triangle, 3, params, rgb);
+            most = fmax(most, fabs(rgb[0]));
+        }
+        assert_true(e->below ? most > 0.01 : most == 0.0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_descriptors),
-        cmocka_unit_test(test_ambient),
-        cmocka_unit_test(test_diffuse),
-        cmocka_unit_test(test_sources),
+        cmocka_unit_test(test_descriptors), cmocka_unit_test(test_ambient), cmocka_unit_test(test_diffuse),
+        cmocka_unit_test(test_sources),     cmocka_unit_test(test_below),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
