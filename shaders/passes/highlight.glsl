@@ -7,6 +7,6 @@ layout(location = 0) out vec4 colour;
 void main()
 {
     Surface s = surface_here();
-    vec3 rgb = dot(s.N, s.V) > 0.0 ? specular * highlight(s) : vec3(0.0);
+    vec3 rgb = dot(s.N, s.V) > 0.0 ? specular * highlight(s) * highlight_factor(s) : vec3(0.0);
     colour = vec4(rgb, 0.0);
 }

@@ -2,7 +2,7 @@
  * on the GPU, one descriptor, one row of rl_effects (table.c). Adding one touches nothing else: scene files, the planner, both renderers,
  * `probe` and the tests of parity work from the descriptor. In file names and in GLSL `-` is written `_`.
  *
- * An effect has up to three functions; each returns RGB radiance towards the eye. In C they are members of the descriptor, and the GLSL
+ * An effect has some of four functions; but for the last each returns RGB radiance towards the eye. In C they are members of the descriptor, and the GLSL
  * module defines those of them that there are, with K = n_params:
  *
  *     constant   vec3 constant_NAME(Surface s, vec4 params[K])                       of no light in particular
@@ -10,6 +10,8 @@
  *                                                                                    1 on a plane perpendicular to L
  *     area       vec3 area_NAME(Surface s, int first, int n, vec4 params[K])         of a polygon of radiance 1, given by its vertices
  *                                                                                    polygon_vertex(first + i), i < n
+ *     factor     vec3 factor_NAME(Surface s, vec4 params[K])                         no radiance: what the highlight of shaped lights is
+ *                                                                                    multiplied by; alone in its effect
  *
  * The sums over lights are rl_effects_shade in C and generated in GLSL, one loop for all effects of a material. What a scene file says of
  * an effect is its key in a material:
@@ -133,6 +135,7 @@ struct rl_effect {
     void (*constant)(const struct rl_surface *s, double params[][4], double rgb[3]);
     void (*reflect)(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3]);
     void (*area)(const struct rl_surface *s, const rl_vec3 *vertex, int n, double params[][4], double rgb[3]);
+    void (*factor)(const struct rl_surface *s, double params[][4], double rgb[3]);
     /* |GLSL - C| <= absolute + relative |C| for a light of irradiance (area: radiance) 1. */
     double absolute, relative;
 };
@@ -142,6 +145,9 @@ extern const size_t rl_n_effects;
 
 /* NULL if there is none of that name. */
 const struct rl_effect *rl_effect_find(const char *name);
+
+/* Its row in rl_effects. */
+size_t rl_effect_row(const struct rl_effect *effect);
 
 /* The name as file names and GLSL have it. */
 void rl_effect_identifier(char identifier[32], const struct rl_effect *effect);
@@ -167,5 +173,8 @@ bool rl_effect_wanted(const struct rl_material *material, const struct rl_effect
 /* The sum of effects over all lights, in the order of their functions, lights and rows. params[i] is what effect i packed. */
 void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
                       const struct rl_surface *s, const struct rl_lights *lights, double rgb[3]);
+/* The product of the effects' factors, 1 without any. */
+void rl_effects_factor(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
+                       const struct rl_surface *s, double rgb[3]);
 
 #endif

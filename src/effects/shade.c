@@ -84,3 +84,17 @@ void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double p
     for (size_t i = 0; i < lights->n_areas; i++)
         add_area(&sum, &lights->area[i]);
 }
+
+void rl_effects_factor(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
+                       const struct rl_surface *s, double rgb[3])
+{
+    double one[3];
+    rgb[0] = rgb[1] = rgb[2] = 1.0;
+    for (size_t i = 0; i < n; i++) {
+        if (!effects[i]->factor)
+            continue;
+        effects[i]->factor(s, params[i], one);
+        for (int c = 0; c < 3; c++)
+            rgb[c] *= one[c];
+    }
+}

@@ -9,6 +9,7 @@
     X(phong)           \
     X(blinn)           \
     X(cook_torrance)   \
+    X(fresnel)         \
     X(kajiya)          \
     X(kajiya_printed)  \
     X(goldman)         \

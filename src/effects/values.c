@@ -22,7 +22,7 @@ void rl_effect_identifier(char identifier[32], const struct rl_effect *effect)
             *c = '_';
 }
 
-static size_t row_of(const struct rl_effect *effect)
+size_t rl_effect_row(const struct rl_effect *effect)
 {
     size_t row = 0;
     while (row < rl_n_effects && rl_effects[row] != effect)
@@ -58,7 +58,7 @@ const char *rl_effect_module(const struct rl_effect *effect, const double *value
 
 double *rl_effect_give(struct rl_material *material, const struct rl_effect *effect)
 {
-    size_t row = row_of(effect);
+    size_t row = rl_effect_row(effect);
     double *value = material->effect[row].value;
     material->effect[row].given = true;
     for (size_t i = 0, n = 0; effect->param[i].help; i++)
@@ -77,7 +77,7 @@ void rl_effect_give_colour(struct rl_material *material, const char *name, doubl
 
 const double *rl_effect_given(const struct rl_material *material, const struct rl_effect *effect)
 {
-    size_t row = row_of(effect);
+    size_t row = rl_effect_row(effect);
     return material->effect[row].given ? material->effect[row].value : NULL;
 }
 

@@ -1,6 +1,7 @@
 /* Writes the glue of surface programs (see glue.h): rl_effects_shade in GLSL, with just the loops and calls of one material. */
 #include "gpu/glue.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -11,13 +12,28 @@ static void call(FILE *out, const char *what, const struct rl_effect *effect, co
     fprintf(out, "%s_%s(%s, %s_params)", what, name, arguments, name);
 }
 
-static void write_uniforms(FILE *out, const struct rl_plan_material *m)
+/* Of the effects that are factors, or of the others. */
+static void write_uniforms(FILE *out, const struct rl_plan_material *m, bool factors)
 {
     for (size_t i = 0; i < m->n_effects; i++) {
         char name[32];
+        if (factors != (m->effect[i]->factor != NULL))
+            continue;
         rl_effect_identifier(name, m->effect[i]);
         fprintf(out, "uniform vec4 %s_params[%d];\n", name, m->effect[i]->n_params);
     }
+}
+
+static void write_factor(FILE *out, const struct rl_plan_material *m)
+{
+    write_uniforms(out, m, true);
+    fprintf(out, "vec3 highlight_factor(Surface s)\n{\n    return vec3(1.0)");
+    for (size_t i = 0; i < m->n_effects; i++)
+        if (m->effect[i]->factor) {
+            fprintf(out, " * ");
+            call(out, "factor", m->effect[i], "s");
+        }
+    fprintf(out, ";\n}\n");
 }
 
 /* for each light: rgb += irradiance (reflect_A + reflect_B + ...) */
@@ -54,7 +70,7 @@ static void write_areas(FILE *out, const struct rl_plan_material *m)
 
 static void write_effects(FILE *out, const struct rl_plan_material *m)
 {
-    write_uniforms(out, m);
+    write_uniforms(out, m, false);
     fprintf(out, "vec3 shade_effects(Surface s)\n{\n    vec3 rgb = vec3(0.0);\n");
     for (size_t i = 0; i < m->n_effects; i++)
         if (m->effect[i]->constant) {
@@ -68,16 +84,29 @@ static void write_effects(FILE *out, const struct rl_plan_material *m)
     fprintf(out, "    return rgb;\n}\n");
 }
 
-int rl_glue_surface(char **text, const struct rl_plan_material *m, struct rl_error *error)
+static void write_surface(FILE *out, const struct rl_plan_material *m)
+{
+    bool fused = m->method && m->highlight_program < 0;
+    write_effects(out, m);
+    if (fused)
+        write_factor(out, m);
+    fprintf(out, "vec3 shade_highlight(Surface s)\n{\n    return %s;\n}\n",
+            fused ? "highlight(s) * highlight_factor(s)" : "vec3(0.0)");
+}
+
+int rl_glue(char **text, const struct rl_plan_material *m, int program, struct rl_error *error)
 {
     size_t size = 0;
+    *text = NULL;
+    if (program != m->surface_program && program != m->highlight_program)
+        return RL_OK;
     FILE *out = open_memstream(text, &size);
     if (!out)
         return rl_fail_memory(error, "a shader");
-    write_effects(out, m);
-    bool fused = m->method && m->highlight_program < 0;
-    fprintf(out, "vec3 shade_highlight(Surface s)\n{\n    return %s;\n}\n",
-            fused ? "highlight(s)" : "vec3(0.0)");
+    if (program == m->surface_program)
+        write_surface(out, m);
+    else
+        write_factor(out, m);
     if (fclose(out) != 0) {
         free(*text);
         *text = NULL;

@@ -5,8 +5,9 @@
 #include "base/error.h"
 #include "scene/plan.h"
 
-/* What the surface pass calls: vec3 shade_effects(Surface s), the sum of the material's effects over the lights that they see, and
- * vec3 shade_highlight(Surface s), the highlight that has no pass of its own or 0. Free *text. */
-int rl_glue_surface(char **text, const struct rl_plan_material *material, struct rl_error *error);
+/* What program `program` of the plan calls, with the effects of a material that uses it. Surface: vec3 shade_effects(Surface s), the sum of
+ * the effects over the lights that they see, and vec3 shade_highlight(Surface s), the highlight that has no pass of its own or 0. Highlight:
+ * vec3 highlight_factor(Surface s). Others: NULL. Free *text. */
+int rl_glue(char **text, const struct rl_plan_material *material, int program, struct rl_error *error);
 
 #endif

@@ -18,7 +18,8 @@ static void set_material(const struct rl_gpu_scene *gs, const struct rl_gpu_prog
     gl->Uniform3f(p->specular, values->specular[0], values->specular[1], values->specular[2]);
     gl->Uniform1f(p->sphere_scale, (float)(1.0 + m->margin));
     for (size_t i = 0; i < m->n_effects; i++)
-        set_params(gl, p->effect_params[i], m->effect[i]->n_params, values->effect_params[i]);
+        set_params(gl, p->effect_params[rl_effect_row(m->effect[i])], m->effect[i]->n_params,
+                   values->effect_params[i]);
     if (m->method)
         set_params(gl, p->method_params, m->method->n_params, values->method_params);
     if (m->pattern >= 0)

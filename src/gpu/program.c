@@ -98,14 +98,11 @@ static void find_uniforms(struct rl_gpu_program *p, const struct rl_gl *gl)
     p->near_plane = gl->GetUniformLocation(p->id, "near_plane");
     const struct rl_plan_material *m = p->material;
     char name[128];
-    for (size_t i = 0; i < RL_PLAN_EFFECTS_MAX; i++) {
-        p->effect_params[i] = -1;
-        if (!m || i >= m->n_effects)
-            continue;
+    for (size_t row = 0; row < rl_n_effects; row++) {
         char identifier[32];
-        rl_effect_identifier(identifier, m->effect[i]);
+        rl_effect_identifier(identifier, rl_effects[row]);
         snprintf(name, sizeof name, "%s_params", identifier);
-        p->effect_params[i] = gl->GetUniformLocation(p->id, name);
+        p->effect_params[row] = gl->GetUniformLocation(p->id, name);
     }
     p->method_params = -1;
     if (m && m->method) {
@@ -189,8 +186,8 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
     *p = (struct rl_gpu_program){0};
     p->material = find_material(plan, (int)index);
     int status = write_defines(&defines, plan, program, scene, error);
-    if (status == RL_OK && p->material && p->material->surface_program == (int)index)
-        status = rl_glue_surface(&glue, p->material, error);
+    if (status == RL_OK && p->material)
+        status = rl_glue(&glue, p->material, (int)index, error);
     if (status == RL_OK)
         status = assemble(&texts, program, defines, glue, error);
     if (status == RL_OK)

@@ -12,7 +12,8 @@ struct rl_gpu_program {
     /* -1 where the program has no such uniform, which OpenGL ignores when set. */
     GLint clip_from_world, eye, specular, sphere_scale, seen_from, environment_unit;
     GLint face, centre, near_plane;
-    GLint effect_params[RL_PLAN_EFFECTS_MAX]; /* in the order of the material's effects */
+    GLint effect_params
+        [RL_MATERIAL_EFFECTS_MAX]; /* by row of rl_effects: materials of one program may differ in what others link */
     GLint method_params;
 };
 

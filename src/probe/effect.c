@@ -57,14 +57,14 @@ static void shade(const struct rl_probe *probe, const double *in, double *out)
     else if (effect->reflect)
         effect->reflect(&s, v3_normalize(v[0]), params, out);
     else
-        effect->constant(&s, params, out);
+        (effect->constant ? effect->constant : effect->factor)(&s, params, out);
 }
 
 bool rl_probe_of_effect(struct rl_probe *probe, const struct rl_effect *effect, bool polygon)
 {
     static const char *const directions[] = {"nx", "ny", "nz", "vx", "vy", "vz", "lx", "ly", "lz"};
     static const char *const triangle[] = {"ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz"};
-    if (polygon ? !effect->area : !effect->reflect && !effect->constant)
+    if (polygon ? !effect->area : !effect->reflect && !effect->constant && !effect->factor)
         return false;
     *probe = (struct rl_probe){
         .summary = effect->summary,
@@ -96,7 +96,7 @@ static char *write_glue(const struct rl_probe *probe)
     const struct rl_effect *effect = probe->effect;
     char name[32], *glue = NULL;
     int k = effect->n_params, first = (int)(3 * probe->n_vectors);
-    const char *what = "constant", *light = "", *fill = "";
+    const char *what = effect->factor ? "factor" : "constant", *light = "", *fill = "";
     rl_effect_identifier(name, effect);
     if (probe->polygon) {
         what = "area";

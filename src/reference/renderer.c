@@ -216,12 +216,14 @@ static void draw_pixel(const struct job *job, struct count *count, int x, int y,
     highlight(&estimate, count, job, s, &surface, object, pass);
     double wanted = job->plan->settings.tolerance * job->lights->brightest;
     if (rl_accuracy_improve(reached, &estimate, wanted, pass->last)) {
-        double rgb[3], error[3];
+        double rgb[3], error[3], factor[3];
         rl_effects_shade(s->plan->effect, s->plan->n_effects,
                          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, &surface, &job->seen, rgb);
+        rl_effects_factor(s->plan->effect, s->plan->n_effects,
+                          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, &surface, factor);
         for (int c = 0; c < 3; c++) {
-            rgb[c] += s->material->specular[c] * estimate.value[c];
-            error[c] = s->material->specular[c] * estimate.error[c];
+            rgb[c] += s->material->specular[c] * factor[c] * estimate.value[c];
+            error[c] = s->material->specular[c] * factor[c] * estimate.error[c];
         }
         set_pixel(job, x, y, rgb, error);
     }

@@ -39,7 +39,8 @@ static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan
                      (plan->n_sources > 0 ? RL_SEES_SOURCES : 0);
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *effect = rl_effects[i];
-        if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)))
+        if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)) ||
+            (effect->factor && !m->method))
             continue;
         m->effect[m->n_effects++] = effect;
         m->sees |= effect->sees & there;

@@ -242,9 +242,10 @@ static int list_effects(struct rl_plan *plan, const struct rl_scene *scene, cons
             planned = planned || m->effect[i] == rl_effects[row];
         if (planned || !rl_effect_given(material, rl_effects[row]))
             continue;
-        status =
-            add(plan, error, "effect", rl_effects[row]->name, "material %s: %s", material->name,
-                rl_effect_wanted(material, rl_effects[row]) ? "no light for it" : "its coefficients are 0");
+        status = add(plan, error, "effect", rl_effects[row]->name, "material %s: %s", material->name,
+                     !rl_effect_wanted(material, rl_effects[row]) ? "its coefficients are 0"
+                     : rl_effects[row]->factor                    ? "no highlight to be a factor of"
+                                                                  : "no light for it");
     }
     if (status == RL_OK && material->method && !m->method)
         status = add(plan, error, "highlight", material->method, "material %s: %s", material->name,

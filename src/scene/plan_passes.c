@@ -68,6 +68,16 @@ static bool has_own_pass(const struct rl_method *method)
     return method->sampled || method->needs_environment || method->needs_normal_map || method->needs_pattern;
 }
 
+/* Those that are factors on the highlight, or the others. */
+static void add_effects(struct rl_plan_program *program, const struct rl_scene *scene,
+                        const struct rl_plan_material *m, bool factors)
+{
+    for (size_t i = 0; i < m->n_effects; i++)
+        if (factors == (m->effect[i]->factor != NULL))
+            rl_plan_add_effect(program, m->effect[i],
+                               rl_effect_given(&scene->material[m->material], m->effect[i]));
+}
+
 static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
                            const struct rl_plan_material *m)
 {
@@ -84,9 +94,9 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
         add_module(&program, "common", "centroids");
     if (m->sees & RL_SEES_POLYGONS)
         add_module(&program, "common", "polygons");
-    for (size_t i = 0; i < m->n_effects; i++)
-        rl_plan_add_effect(&program, m->effect[i],
-                           rl_effect_given(&scene->material[m->material], m->effect[i]));
+    add_effects(&program, scene, m, false);
+    if (fused)
+        add_effects(&program, scene, m, true);
     if (fused)
         add_module(&program, "methods", m->method->name);
     add_module(&program, "passes", "surface");
@@ -101,7 +111,8 @@ static int sphere_program(struct rl_plan *plan)
     return add_program(plan, &program);
 }
 
-static int highlight_program(struct rl_plan *plan, const struct rl_plan_material *m)
+static int highlight_program(struct rl_plan *plan, const struct rl_scene *scene,
+                             const struct rl_plan_material *m)
 {
     struct rl_plan_program program = {.pass = "highlight", .samples = m->samples};
     add_object_modules(&program);
@@ -115,6 +126,7 @@ static int highlight_program(struct rl_plan *plan, const struct rl_plan_material
         add_module(&program, "common", "normal_map");
     if (m->method->needs_pattern)
         add_module(&program, "common", "pattern");
+    add_effects(&program, scene, m, true);
     add_module(&program, "methods", m->method->name);
     add_module(&program, "passes", "highlight");
     return add_program(plan, &program);
@@ -168,5 +180,5 @@ void rl_plan_passes(struct rl_plan *plan, const struct rl_scene *scene, struct r
         m->normal_map = normal_map(plan, m);
     if (m->method->needs_pattern)
         m->pattern = pattern(plan, m);
-    m->highlight_program = highlight_program(plan, m);
+    m->highlight_program = highlight_program(plan, scene, m);
 }

@@ -56,7 +56,8 @@ static void test_descriptors(void **state)
         assert_ptr_equal(rl_effect_find(e->name), e); /* no name comes twice */
         assert_true(strlen(e->summary) > 10 && !strchr(e->summary, '\n'));
         assert_in_range(e->n_params, 1, RL_EFFECT_PARAMS);
-        assert_true(e->constant || e->reflect || e->area);
+        assert_true(e->constant || e->reflect || e->area || e->factor);
+        assert_true(!e->factor || !(e->constant || e->reflect || e->area));
         assert_int_equal(!e->sees, !e->reflect && !e->area);
         assert_true(e->absolute >= 0.0 && e->relative >= 0.0 && e->absolute + e->relative > 0.0);
         for (; e->param[n].help; n++) {

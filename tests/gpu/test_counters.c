@@ -48,7 +48,7 @@ static void complete(struct rl_material *material, const struct rl_effect *e)
     assert_null(e->check(value, &key));
 }
 
-/* A ball for each effect, in a row, and one with a sampled highlight; a shaped light and a point light. `without`: a row that none has. */
+/* A ball for each effect, in a row, and one with a sampled highlight, as those with a factor on it have; a shaped light and a point light. `without`: a row that none has. */
 static void begin_scene(struct rl_scene *scene, size_t without)
 {
     static char *const name = "material";
@@ -63,7 +63,7 @@ static void begin_scene(struct rl_scene *scene, size_t without)
         struct rl_material *m = &scene->material[scene->n_materials++];
         m->name = name;
         m->rr = 10.0;
-        m->method = row == rl_n_effects ? "random" : NULL;
+        m->method = row == rl_n_effects || rl_effects[row]->factor ? "random" : NULL;
         for (int c = 0; c < 3; c++)
             m->specular[c] = 1.0;
         if (row < rl_n_effects && row != without) {

@@ -1,0 +1,78 @@
+/* Fresnel's reflectance as a factor on the highlight of shaped lights, which by itself mirrors all that it receives:
+ *
+ *     F(angle between N and V)
+ *
+ * (src/model/fresnel.h), from n and k for each of R, G and B or from the reflectance at normal incidence. Every facet has an angle of its
+ * own, and their F belongs into the integral over facets; the factor is that of the facet with the surface's own normal. The smoother the
+ * surface and the farther from grazing, the nearer are the two; in return each method draws the same factor, and the highlight's error
+ * grows by no more than it. */
+#include "model/fresnel.h"
+
+#include "effects/effect.h"
+
+enum { REFLECTANCE = 0, N = 3, K = 6 };
+
+static const char *check(const double *value, const char **key)
+{
+    bool reflectance = !isnan(value[REFLECTANCE]), n = !isnan(value[N]), k = !isnan(value[K]);
+    *key = "reflectance";
+    if (reflectance && (n || k))
+        return "either the reflectance at normal incidence, or n and k";
+    if (!reflectance && !n && !k)
+        return "the reflectance at normal incidence, or n and k";
+    *key = n ? "k" : "n";
+    return reflectance || (n && k) ? NULL : "both n and k, of the complex index of refraction";
+}
+
+static void pack(const double *value, double params[][4])
+{
+    bool reflectance = !isnan(value[REFLECTANCE]);
+    for (int c = 0; c < 3; c++) {
+        params[0][c] = reflectance ? rl_fresnel_index(value[REFLECTANCE + c]) : value[N + c];
+        params[1][c] = reflectance ? 0.0 : value[K + c];
+    }
+    params[0][3] = params[1][3] = 0.0;
+}
+
+static void factor(const struct rl_surface *s, double params[][4], double rgb[3])
+{
+    double n_v = fmin(fmax(v3_dot(s->N, s->V), 0.0), 1.0);
+    for (int c = 0; c < 3; c++)
+        rgb[c] = rl_fresnel(params[0][c], params[1][c], n_v);
+}
+
+static const struct rl_effect_param param[] = {
+    {.key = "reflectance",
+     .help = "at normal incidence; or n and k",
+     .kind = RL_EFFECT_COLOUR,
+     .high = 1.0,
+     .absent = {NAN, NAN, NAN},
+     .coefficient = true},
+    {.key = "n",
+     .help = "real part of the index of refraction",
+     .kind = RL_EFFECT_COLOUR,
+     .low = 0.01,
+     .high = 100.0,
+     .absent = {NAN, NAN, NAN},
+     .coefficient = true},
+    {.key = "k",
+     .help = "imaginary part of the index of refraction, 0 for dielectrics",
+     .kind = RL_EFFECT_COLOUR,
+     .high = 100.0,
+     .absent = {NAN, NAN, NAN}},
+    {0},
+};
+
+const struct rl_effect rl_effect_fresnel = {
+    .name = "fresnel",
+    .summary = "F(N.V): Fresnel's reflectance as a factor on the highlight of shaped lights",
+    .param = param,
+    .modules = {"common/fresnel"},
+    .check = check,
+    .n_params = 2,
+    .pack = pack,
+    .factor = factor,
+    /* At n = 0.01 total reflection begins half a degree from the normal, where single precision knows N.V to 6e-8 and F rises by 400 for each
+     * unit of 1 - (N.V)^2. */
+    .absolute = 1e-4,
+};
