@@ -67,7 +67,7 @@ static int make_room(struct rows *rows, size_t n_in, struct rl_error *error)
     if (rows->n < rows->room)
         return RL_OK;
     size_t room = rows->room ? 2 * rows->room : 64;
-    double *value = realloc(rows->value, room * n_in * sizeof *value);
+    double *value = realloc(rows->value, (room * n_in + 1) * sizeof *value);
     if (!value)
         return rl_fail_memory(error, "rows");
     rows->room = room;

@@ -91,15 +91,14 @@ struct rl_effect_choice {
 };
 
 struct rl_effect_param {
-    const char *
-        key; /* in the effect's block; NULL: the effect's own key holds the value. In a table the end is a kind's absence: */
+    const char *key;  /* in the effect's block; NULL: the effect's own key holds the value */
     const char *help; /* NULL ends the list */
-    enum rl_effect_kind kind;
+    const struct rl_effect_choice *choice;
     double low, high;
     double absent[3]; /* the value where the key is left out; NAN: not given */
+    enum rl_effect_kind kind;
     bool required;
     bool coefficient; /* the effect does something only where one of its coefficients is not 0 */
-    const struct rl_effect_choice *choice;
 };
 
 /* ---- Descriptors ---- */

@@ -12,7 +12,7 @@ static const struct rl_effect_choice rl_fur_monochrome[] = {{"off", NULL}, {"on"
  * monochrome: each colour as its luminance (Rec. 709), which makes the effect's own value that. */
 static inline void rl_fur_pack(const double *value, bool monochrome, double params[][4])
 {
-    for (int k = 0; k < 2; k++) {
+    for (size_t k = 0; k < 2; k++) {
         const double *rgb = value + 3 * k;
         double luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
         for (int c = 0; c < 3; c++)

@@ -6,65 +6,7 @@
 
 #include <cmocka.h>
 
-#include "scene/fixture.h"
-#include "scene/plan.h"
-
-static struct temporary folder;
-static struct rl_error error;
-static char path[PATH_MAX];
-static struct rl_scene scene;
-static struct rl_plan plan;
-
-static int set_up(void **state)
-{
-    (void)state;
-    temporary_make(&folder);
-    temporary_path(&folder, path, "scene.yaml");
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    temporary_remove(&folder);
-    return 0;
-}
-
-/* The sound scene with some lines replaced: `shiny` (random) on a ball, `matt` (no highlight) on the
- * ground, two lights. */
-static void load(int first, int last, const char *text)
-{
-    write_scene(path, first, last, text);
-    check_ok(rl_scene_load(&scene, path, &error), &error);
-}
-
-static void make(const struct rl_settings *settings)
-{
-    check_ok(rl_plan_make(&plan, &scene, settings, &error), &error);
-}
-
-static void clear(void)
-{
-    rl_plan_clear(&plan);
-    rl_scene_clear(&scene);
-}
-
-static bool has_module(int program, const char *module)
-{
-    assert_in_range(program, 0, plan.n_programs - 1);
-    for (size_t i = 0; i < plan.program[program].n_modules; i++)
-        if (strcmp(plan.program[program].module[i], module) == 0)
-            return true;
-    return false;
-}
-
-static bool any_module(const char *module)
-{
-    for (size_t i = 0; i < plan.n_programs; i++)
-        if (has_module((int)i, module))
-            return true;
-    return false;
-}
+#include "scene/planned.h"
 
 static void test_random(void **state)
 {
@@ -220,67 +162,6 @@ static void test_left_out(void **state)
     clear();
 }
 
-/* Only modules of lights that are there. */
-static void test_sources(void **state)
-{
-    (void)state;
-    load(24, 32, "  - {direction: [0, -1, 0], irradiance: [1, 1, 1]}");
-    make(&scene.settings);
-    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
-    assert_int_equal(shiny->sees, RL_SEES_SOURCES);
-    assert_int_equal(plan.sees, RL_SEES_SOURCES);
-    assert_null(shiny->method); /* the highlight is of shaped lights */
-    assert_int_equal(shiny->n_point_lights, 0);
-    assert_true(has_module(shiny->surface_program, "common/sources"));
-    assert_false(any_module("common/centroids"));
-    assert_false(any_module("common/lights"));
-    assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->sees, 0);
-    clear();
-
-    load(0, -1, NULL);
-    make(&scene.settings);
-    assert_int_equal(plan.sees, RL_SEES_CENTROIDS);
-    assert_true(any_module("common/centroids"));
-    assert_false(any_module("common/sources"));
-    clear();
-}
-
-/* An effect brings its own module, those it needs and those of its choices; with coefficient 0 or without its lights, nothing. */
-static void test_effects(void **state)
-{
-    (void)state;
-    load(13, 13, "    cook-torrance: {reflectance: [0.5, 0, 0], roughness: 0.2, distribution: ellipsoid}");
-    make(&scene.settings);
-    assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->n_effects, 0); /* there are shaped lights alone */
-    assert_false(any_module("effects/cook_torrance"));
-    clear();
-    load(25, 26, "    position: [0, 3, 0]\n    intensity: [1, 1, 1]");
-    struct rl_material *matt = &scene.material[1];
-    double *value = rl_effect_give(matt, rl_effect_find("cook-torrance"));
-    value[0] = 0.5;
-    value[1] = value[2] = 0.0;
-    value[9] = 0.2;
-    value[10] = 1.0;
-    make(&scene.settings);
-    int program = rl_plan_of_object(&plan, &scene, 1)->surface_program;
-    assert_true(has_module(program, "effects/cook_torrance"));
-    assert_true(has_module(program, "common/fresnel"));
-    assert_true(has_module(program, "common/ellipsoid_facets"));
-    assert_false(any_module("common/beckmann"));
-    assert_false(any_module("common/polygons"));
-    rl_plan_clear(&plan);
-    value[0] = 0.0;
-    make(&scene.settings);
-    assert_false(any_module("effects/cook_torrance"));
-    assert_false(any_module("common/fresnel"));
-    rl_plan_clear(&plan);
-    rl_effect_give_colour(matt, "diffuse-area", 1.0, 1.0, 1.0);
-    make(&scene.settings);
-    assert_true(any_module("common/polygons"));
-    assert_true(any_module("common/arctangent"));
-    clear();
-}
-
 /* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these,
  * too. */
 static void test_sharing(void **state)
@@ -392,7 +273,6 @@ int main(void)
         cmocka_unit_test(test_random),        cmocka_unit_test(test_regular),
         cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
         cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
-        cmocka_unit_test(test_sources),       cmocka_unit_test(test_effects),
         cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
         cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
         cmocka_unit_test(test_modules_exist),

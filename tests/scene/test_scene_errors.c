@@ -9,53 +9,7 @@
 
 #include <cmocka.h>
 
-#include "scene/fixture.h"
-
-static struct temporary folder;
-static struct rl_error error;
-
-static int set_up(void **state)
-{
-    (void)state;
-    temporary_make(&folder);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    temporary_remove(&folder);
-    return 0;
-}
-
-struct wrong {
-    int first, last; /* lines replaced */
-    const char *text;
-    int line; /* of the message */
-    const char *message;
-};
-
-static void check_all(const struct wrong *wrong, size_t n)
-{
-    char path[PATH_MAX], expected[PATH_MAX + 512];
-    temporary_path(&folder, path, "scene.yaml");
-    for (size_t i = 0; i < n; i++) {
-        write_scene(path, wrong[i].first, wrong[i].last, wrong[i].text);
-        struct rl_scene scene;
-        error.message[0] = '\0';
-        int status = rl_scene_load(&scene, path, &error);
-        snprintf(expected, sizeof expected, "%s:%d: %s", path, wrong[i].line, wrong[i].message);
-        if (strncmp(error.message, expected, strlen(expected)) != 0)
-            print_error("case %zu (%s)\n  expected %s\n  got      %s\n", i, wrong[i].text, expected,
-                        error.message);
-        assert_int_equal(status, RL_ERR_INPUT);
-        assert_int_equal(strncmp(error.message, expected, strlen(expected)), 0);
-        assert_null(strpbrk(error.message, "\r\n"));
-        assert_null(scene.object);
-        assert_int_equal(rl_scene_load(&scene, path, NULL), RL_ERR_INPUT);
-    }
-}
-#define CHECK_ALL(table) check_all(table, sizeof(table) / sizeof((table)[0]))
+#include "scene/wrong.h"
 
 static void test_structure(void **state)
 {
@@ -173,63 +127,6 @@ static void test_materials(void **state)
         {12, 12, "  - name: shiny", 12,
          "materials[1].name: found 'shiny', expected a name of its own, for materials[0]"},
         {8, 8, "  - name: ''", 8, "materials[0].name: found nothing, expected a text of 1 to 64 bytes"},
-    };
-    CHECK_ALL(table);
-}
-
-/* Line 13 is the last of `matt`, line 11 the last of `shiny`. */
-static void test_effects(void **state)
-{
-    (void)state;
-    static const struct wrong table[] = {
-        {13, 13, "    phong: 5", 13, "materials[1].phong: found '5', expected a mapping"},
-        {13, 13, "    phong: {specular: [1, 1, 1]}", 13,
-         "materials[1].phong.exponent: found nothing, expected n of cos^n"},
-        {13, 13, "    phong:\n      specular: [1, 1, 1]\n      exponent: 0.5", 15,
-         "materials[1].phong.exponent: found '0.5', expected 1 to 1000"},
-        {13, 13, "    phong: {specular: [1, 1, 2], exponent: 5}", 13,
-         "materials[1].phong.specular[2]: found '2', expected 0 to 1"},
-        {13, 13, "    phong: {specular: 1, exponent: 5}", 13,
-         "materials[1].phong.specular: found '1', expected a list of 3"},
-        {13, 13, "    phong: {gloss: 1}", 13,
-         "materials[1].phong: found the unknown key 'gloss', expected specular, grazing or exponent"},
-        {13, 13, "    blinn: {specular: [1, 1, 1], exponent: 5, grazing: 1.5}", 13,
-         "materials[1].blinn.grazing: found '1.5', expected 0 to 1"},
-        {13, 13, "    cook-torrance: {roughness: 0.1}", 13,
-         "materials[1].cook-torrance.reflectance: found nothing, expected the reflectance at normal "},
-        {13, 13, "    cook-torrance: {roughness: 0.1, n: [1, 1, 1]}", 13,
-         "materials[1].cook-torrance.k: found nothing, expected both n and k"},
-        {13, 13, "    cook-torrance: {roughness: 0.1, k: [1, 1, 1]}", 13,
-         "materials[1].cook-torrance.n: found nothing, expected both n and k"},
-        {13, 13, "    cook-torrance: {roughness: 0.1, k: [1, 1, 1], reflectance: [0, 0, 0]}", 13,
-         "materials[1].cook-torrance.reflectance: found a list of 3, expected either the reflectance"},
-        {13, 13, "    cook-torrance: {roughness: 0.1, reflectance: [0, 0, 0], distribution: ggx}", 13,
-         "materials[1].cook-torrance.distribution: found 'ggx', expected beckmann or ellipsoid"},
-        {13, 13, "    goldman: {diffuse: [0, 0, 0], specular: [0, 0, 0]}", 13,
-         "materials[1].goldman.c: found nothing, expected c, or rho-reflect and rho-transmit"},
-        {13, 13, "    goldman: {diffuse: [0, 0, 0], specular: [0, 0, 0], rho-reflect: 1}", 13,
-         "materials[1].goldman.rho-transmit: found nothing, expected both"},
-        {13, 13, "    goldman: {diffuse: [0, 0, 0], specular: [0, 0, 0], rho-reflect: 1, c: 0}", 13,
-         "materials[1].goldman.c: found '0', expected either c, or"},
-        {13, 13, "    lengyel: {diffuse: [0, 0, 0], specular: [0, 0, 0], monochrome: grey}", 13,
-         "materials[1].lengyel.monochrome: found 'grey', expected off or on"},
-        /* Two models of one thing. */
-        {13, 13, "    diffuse: [1, 1, 1]\n    diffuse-area: [1, 1, 1]", 14,
-         "materials[1].diffuse-area: found diffuse and diffuse-area, expected one model of diffuse "},
-        {13, 13,
-         "    blinn: {specular: [1, 1, 1], exponent: 5}\n"
-         "    phong: {specular: [1, 1, 1], exponent: 5}",
-         13, "materials[1].blinn: found phong and blinn, expected one model of the highlight of point and "},
-        {10, 11,
-         "    diffuse: [1, 1, 1]\n    highlight: none\n"
-         "    kajiya: {diffuse: [0, 0, 0], specular: [0, 0, 0]}",
-         12, "materials[0].kajiya: found diffuse and kajiya, expected one model of diffuse reflection"},
-        {10, 10, "    kajiya: {diffuse: [0, 0, 0], specular: [0, 0, 0]}", 10,
-         "materials[0].kajiya: found the highlight random and kajiya, expected one model of the highlight "},
-        {13, 13,
-         "    kajiya: {diffuse: [0, 0, 0], specular: [0, 0, 0]}\n"
-         "    phong: {specular: [1, 1, 1], exponent: 5}",
-         13, "materials[1].kajiya: found phong and kajiya, expected one model of the highlight of point "},
     };
     CHECK_ALL(table);
 }
@@ -449,9 +346,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_structure), cmocka_unit_test(test_numbers), cmocka_unit_test(test_camera),
-        cmocka_unit_test(test_materials), cmocka_unit_test(test_effects), cmocka_unit_test(test_objects),
-        cmocka_unit_test(test_lights),    cmocka_unit_test(test_meshes),  cmocka_unit_test(test_files),
-        cmocka_unit_test(test_every_cut),
+        cmocka_unit_test(test_materials), cmocka_unit_test(test_objects), cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_meshes),    cmocka_unit_test(test_files),   cmocka_unit_test(test_every_cut),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
