@@ -108,8 +108,8 @@ static void test_integrals(void **state)
         double psi = RL_PI * (i + 0.5) / 100000;
         sum += sin(psi) * sin(psi) * fmin(fmax(2.0 * cos(psi) + 1.0, 0.0), 1.0) * RL_PI / 100000;
     }
-    for (double c = -1.0; c <= 1.0; c += 0.5) {
-        set_fur(&lamp, "goldman", 1.0, 0.0, 8.0, c);
+    for (int c = -2; c <= 2; c++) {
+        set_fur(&lamp, "goldman", 1.0, 0.0, 8.0, 0.5 * c);
         check_relative(lamp_integral(&lamp, V, false, -1.0), RL_PI * sum, 1e-3);
     }
 }
@@ -140,7 +140,8 @@ static void test_kappa(void **state)
     rl_vec3 e = {1.0, 0.0, 0.0};
     double before = rl_fur_kappa(z, z, e);
     check_near(before, 0.0, 0.0);
-    for (double angle = 1e-9; angle < 1e-2; angle *= 1.5) {
+    for (int i = 0; i < 40; i++) {
+        double angle = 1e-9 * pow(1.5, i);
         double kappa = rl_fur_kappa(z, v3(sin(angle), 0.0, cos(angle)), e);
         assert_true(kappa >= before && kappa <= 1.0 + 1e-15 && kappa - before < 0.4);
         before = kappa;

@@ -52,11 +52,11 @@ static void begin_scene(struct rl_scene *scene, const char *method, bool ball)
     fixture_source(scene, true, v3(0.3, 1.0, 0.2), 0.5, 0.5, 0.5);
     fixture_source(scene, true, v3(0.3, -1.0, 0.2), 3.0, 0.5, 0.5);
     fixture_source(scene, true, v3(0.3, 1.0, 0.2), 0.0, 0.0, 0.0);
-    static char *const lights[] = {"high", "low"}, *const sources[] = {"bulb", "cellar", "sun", "antipodes",
-                                                                       "off"};
-    for (size_t i = 0; i < scene->n_lights; i++)
+    static char *const lights[] = {"high", "low"};
+    static char *const sources[] = {"bulb", "cellar", "sun", "antipodes", "off"};
+    for (size_t i = 0; i < sizeof lights / sizeof lights[0]; i++)
         scene->light[i].name = lights[i];
-    for (size_t i = 0; i < scene->n_sources; i++)
+    for (size_t i = 0; i < sizeof sources / sizeof sources[0]; i++)
         scene->source[i].name = sources[i];
 }
 
@@ -174,18 +174,35 @@ static void test_reasons(void **state)
     assert_int_equal(plan.n_sources, 4);
     rl_plan_clear(&plan);
 
-    /* The high light gone, the floor has no highlight left, nor an environment map. */
-    memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
-    rl_polygon_clear(&scene.light[0].polygon[0]);
-    free(scene.light[0].polygon);
-    scene.light[0] = scene.light[1];
-    scene.n_lights = 1;
+    fixture_end(&scene);
+}
+
+/* All of what shines lies below the floor: no highlight is left, and no environment map. */
+static void test_dark_floor(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    struct rl_scene scene;
+    struct rl_plan plan;
+    const struct rl_settings settings = RL_SETTINGS_DEFAULT;
+    fixture_begin(&scene, 64, 48);
+    fixture_camera(&scene, v3(0.0, 2.0, 5.0), v3(0.0, 0.0, 0.0), 30.0);
+    fixture_object(&scene, RL_SHAPE_PLANE, 4, 2.0, v3(0.0, 0.0, 0.0),
+                   fixture_material(&scene, 20.0, 0.05, 0.0, 0.8, "random"));
+    fixture_quad(&scene, v3(1.0, -1.5, -2.0), v3(0.6, 0.0, 0.0), v3(0.0, 0.6, 0.2), 7.0, 1.5, 1.0);
+    fixture_source(&scene, false, v3(1.0, 1.0, 1.0), 1.0, 1.0, 0.5);
+    scene.material[0].name = "floor";
+    scene.light[0].name = "low";
+    scene.source[0].name = "bulb";
+    memset(scene.material[0].effect, 0, sizeof scene.material[0].effect);
     check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
     assert_int_equal(plan.n_environments + plan.n_normal_maps, 0);
     assert_int_equal(plan.n_programs, 1);
+    assert_true(dropped(&plan, "light", "low", "behind every surface"));
     assert_true(dropped(&plan, "highlight", "random", "material floor: every shaped light is behind"));
     assert_true(dropped(&plan, "light", "bulb", "no effect or highlight sees such lights"));
     rl_plan_clear(&plan);
+    check_same(&scene, settings);
     fixture_end(&scene);
 }
 
@@ -195,6 +212,7 @@ int main(void)
         cmocka_unit_test(test_same_bits),
         cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_reasons),
+        cmocka_unit_test(test_dark_floor),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }

@@ -25,8 +25,8 @@ static void test_limits(void **state)
             check_near(rl_fresnel(n[i], k[j], 1.0), normal_incidence(n[i], k[j]), 1e-14);
             bool nothing = n[i] == 1.0 && k[j] == 0.0;
             check_near(rl_fresnel(n[i], k[j], 0.0), nothing ? 0.0 : 1.0, 1e-14);
-            for (double c = 0.0; c <= 1.0; c += 1.0 / 64.0) {
-                double f = rl_fresnel(n[i], k[j], c);
+            for (int c = 0; c <= 64; c++) {
+                double f = rl_fresnel(n[i], k[j], c / 64.0);
                 assert_true(f >= 0.0 && f <= 1.0 + 1e-15);
             }
         }
@@ -36,8 +36,9 @@ static void test_limits(void **state)
 static void test_dielectric(void **state)
 {
     (void)state;
-    for (double n = 1.05; n < 4.0; n += 0.25)
-        for (double c = 1.0 / 64.0; c <= 1.0; c += 1.0 / 64.0) {
+    for (int i = 0; i < 12; i++)
+        for (int j = 1; j <= 64; j++) {
+            double n = 1.05 + 0.25 * i, c = j / 64.0;
             double g = sqrt(n * n + c * c - 1.0), a = (g - c) / (g + c);
             double b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
             check_near(rl_fresnel(n, 0.0, c), 0.5 * a * a * (1.0 + b * b), 1e-14);
