@@ -39,6 +39,14 @@ for command in info plan render integrate probe compare study; do
     check "$command --help has usage, options and an example" help_teaches $command
 done
 
+# What a plan leaves out
+drops() {
+    { cat studies/scenes/lamps.yaml; echo '  - {name: out, position: [0, 9, 0], intensity: [0, 0, 0]}'; } >"$tmp/dark.yaml"
+    "$rl" plan "$tmp/dark.yaml" | grep -q "^dropped	light out	its strength is 0$" &&
+        ! "$rl" plan "$tmp/dark.yaml" --drop off | grep -q '^dropped' && ! "$rl" plan studies/scenes/lamps.yaml | grep -q '^dropped'
+}
+check "plan says what it drops, and why" drops
+
 # Rows
 light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
 integrate() { "$rl" integrate --view 0.3,0,1 --rr 30 --light "$light" "$@"; }
