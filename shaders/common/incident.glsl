@@ -9,5 +9,6 @@ Incident incident(vec3 d, vec3 strength)
     float r_r = dot(d, d);
     if (!(r_r > 0.0))
         return Incident(vec3(0.0, 0.0, 1.0), vec3(0.0));
-    return Incident(d / sqrt(r_r), strength / r_r);
+    float inverse = 1.0 / r_r;
+    return Incident(d * sqrt(inverse), strength * inverse);
 }

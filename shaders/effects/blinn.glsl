@@ -1,6 +1,6 @@
 // Blinn's highlight: a lobe about the half vector H = (L + V)/|L + V|, for an irradiance of 1 perpendicular to L.
 //
-//     W(beta) (N.H)^n,   N.L > 0 and N.V > 0,   W(beta) = k_s + g (1 - k_s) (1 - |L + V|/2)^5
+//     W(beta) (N.H)^n,   N.L > 0 and N.V > 0,   W(beta) = reflectance(k_s, g, |L + V|/2)
 //
 // params: k_s and n; g.
 
@@ -13,7 +13,5 @@ vec3 reflect_blinn(Surface s, vec3 L, vec4 params[2])
     if (!(n_l > 0.0) || !(n_v > 0.0) || !(length_sum > 0.0))
         return vec3(0.0);
     float lobe = pow(min((n_l + n_v) / length_sum, 1.0), params[0].w);
-    float m = max(0.0, 1.0 - 0.5 * length_sum);
-    float grazing = params[1].x * (m * m) * (m * m) * m;
-    return lobe * mix(params[0].rgb, vec3(1.0), grazing);
+    return lobe * reflectance(params[0].rgb, params[1].x, 0.5 * length_sum);
 }

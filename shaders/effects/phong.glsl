@@ -1,6 +1,6 @@
 // Phong's highlight: a lobe about the mirror direction R of the eye, for an irradiance of 1 perpendicular to L.
 //
-//     W(alpha) max(0, R.L)^n,   N.L > 0,   W(alpha) = k_s + g (1 - k_s) (1 - N.L)^5
+//     W(alpha) max(0, R.L)^n,   N.L > 0,   W(alpha) = reflectance(k_s, g, N.L)
 //
 // params: k_s and n; g.
 
@@ -9,7 +9,5 @@ vec3 reflect_phong(Surface s, vec3 L, vec4 params[2])
     float n_l = dot(s.N, L);
     float r_l = dot(reflect(-s.V, s.N), L);
     float lobe = n_l > 0.0 && r_l > 0.0 ? pow(min(r_l, 1.0), params[0].w) : 0.0;
-    float m = max(0.0, 1.0 - n_l);
-    float grazing = params[1].x * (m * m) * (m * m) * m;
-    return lobe * mix(params[0].rgb, vec3(1.0), grazing);
+    return lobe * reflectance(params[0].rgb, params[1].x, n_l);
 }

@@ -93,7 +93,8 @@ struct rl_effect_choice {
 struct rl_effect_param {
     const char *key;  /* in the effect's block; NULL: the effect's own key holds the value */
     const char *help; /* NULL ends the list */
-    const struct rl_effect_choice *choice;
+    const struct rl_effect_choice
+        *choice; /* of a number, where it has them: the first if it is 0, else the second */
     double low, high;
     double absent[3]; /* the value where the key is left out; NAN: not given */
     enum rl_effect_kind kind;

@@ -33,6 +33,9 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
         rgb[c] = lobe * (params[0][c] + grazing * (1.0 - params[0][c]));
 }
 
+static const struct rl_effect_choice grazing[] = {
+    {"constant", "common/constant_reflectance"}, {"grazing", "common/grazing_reflectance"}, {0}};
+
 static const struct rl_effect_param param[] = {
     {.key = "specular",
      .help = "k_s, W at normal incidence",
@@ -40,7 +43,10 @@ static const struct rl_effect_param param[] = {
      .high = 1.0,
      .required = true,
      .coefficient = true},
-    {.key = "grazing", .help = "g, how much of the way W rises to 1 at grazing incidence (0)", .high = 1.0},
+    {.key = "grazing",
+     .help = "g, how much of the way W rises to 1 at grazing incidence (0)",
+     .high = 1.0,
+     .choice = grazing},
     {.key = "exponent", .help = "n of cos^n(gamma)", .low = 1.0, .high = 1000.0, .required = true},
     {0},
 };

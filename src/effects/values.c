@@ -52,8 +52,10 @@ size_t rl_effect_values(const struct rl_effect *effect)
 const char *rl_effect_module(const struct rl_effect *effect, const double *value, size_t param)
 {
     const struct rl_effect_param *p = &effect->param[param];
-    return p->kind == RL_EFFECT_CHOICE ? p->choice[(int)value[rl_effect_value_of(effect, param)]].module
-                                       : NULL;
+    double x = value[rl_effect_value_of(effect, param)];
+    if (!p->choice)
+        return NULL;
+    return p->choice[p->kind == RL_EFFECT_CHOICE ? (int)x : x != 0.0].module;
 }
 
 double *rl_effect_give(struct rl_material *material, const struct rl_effect *effect)

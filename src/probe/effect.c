@@ -141,11 +141,12 @@ static void round_row(float *to, const struct rl_probe *probe, const double *row
         to[first + (size_t)i] = (float)params[i / 4][i % 4];
 }
 
-/* Whether two rows make the same choices. */
+/* Whether two rows link the same modules. */
 static bool same_choices(const struct rl_probe *probe, const double *a, const double *b)
 {
-    for (size_t i = 0; i < probe->n_in; i++)
-        if (probe->in[i].whole && a[i] != b[i])
+    for (size_t i = 0; probe->effect->param[i].help; i++)
+        if (rl_effect_module(probe->effect, rl_probe_effect_values(probe, a), i) !=
+            rl_effect_module(probe->effect, rl_probe_effect_values(probe, b), i))
             return false;
     return true;
 }
