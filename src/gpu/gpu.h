@@ -43,8 +43,11 @@ extern const size_t rl_n_gpu_backends;
 
 /* What the GL layer counted since the scene was made or rl_gpu_scene_reset_counters. */
 struct rl_gpu_counters {
-    size_t draws, triangles, programs, modules, textures,
-        bytes_uploaded; /* modules: of all programs, each as often as it is in one */
+    size_t draws, triangles;
+    size_t programs, modules, textures; /* in use; modules: of all programs, each as often as it is in one */
+    size_t programs_kept,
+        textures_kept; /* of these, those that the context had from before and took no time or upload */
+    size_t bytes_uploaded;
 };
 
 /* Compiles the plan's programs, uploads meshes, bakes and uploads normal maps and patterns, allocates the

@@ -162,17 +162,19 @@ static int compile_and_link(GLuint *id, struct rl_gl *gl, const struct rl_plan_p
 }
 
 /* Kept by its texts. */
-static int find_or_compile(GLuint *id, struct rl_gpu *gpu, const struct rl_plan_program *program,
-                           const struct texts *texts, struct rl_error *error)
+static int find_or_compile(struct rl_gpu_program *p, struct rl_gpu *gpu,
+                           const struct rl_plan_program *program, const struct texts *texts,
+                           struct rl_error *error)
 {
     uint64_t key = rl_hash_bytes(RL_HASH_START, texts->vertex, strlen(texts->vertex) + 1);
     key = rl_hash_bytes(key, texts->fragment, strlen(texts->fragment));
-    *id = rl_kept_take(&gpu->kept, RL_KEPT_PROGRAM, key);
-    if (*id)
+    p->id = rl_kept_take(&gpu->kept, RL_KEPT_PROGRAM, key);
+    p->kept = p->id != 0;
+    if (p->kept)
         return RL_OK;
-    int status = compile_and_link(id, &gpu->gl, program, texts, error);
+    int status = compile_and_link(&p->id, &gpu->gl, program, texts, error);
     return status == RL_OK
-               ? rl_kept_add(&gpu->kept, &gpu->gl, RL_KEPT_PROGRAM, key, *id, (size_t)PROGRAM_BYTES, error)
+               ? rl_kept_add(&gpu->kept, &gpu->gl, RL_KEPT_PROGRAM, key, p->id, (size_t)PROGRAM_BYTES, error)
                : status;
 }
 
@@ -191,7 +193,7 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
     if (status == RL_OK)
         status = assemble(&texts, program, defines, glue, error);
     if (status == RL_OK)
-        status = find_or_compile(&p->id, gpu, program, &texts, error);
+        status = find_or_compile(p, gpu, program, &texts, error);
     p->n_modules = texts.n_modules;
     if (status == RL_OK)
         find_uniforms(p, &gpu->gl);

@@ -2,12 +2,15 @@
 #ifndef RL_GPU_PROGRAM_H
 #define RL_GPU_PROGRAM_H
 
+#include <stdbool.h>
+
 #include "gpu/context.h"
 #include "scene/plan.h"
 
 struct rl_gpu_program {
     GLuint id;
     size_t n_modules;                        /* in its text */
+    bool kept;                               /* the context had it from before */
     const struct rl_plan_material *material; /* the first that uses it; the others agree. NULL: environment */
     /* -1 where the program has no such uniform, which OpenGL ignores when set. */
     GLint clip_from_world, eye, specular, sphere_scale, seen_from, environment_unit;

@@ -46,6 +46,7 @@ static int make_programs(struct rl_gpu_scene *gs, struct rl_error *error)
             return status;
         gs->counters.programs++;
         gs->counters.modules += gs->program[i].n_modules;
+        gs->counters.programs_kept += gs->program[i].kept;
     }
     return RL_OK;
 }
@@ -65,8 +66,10 @@ static int make_normal_map(GLuint *texture, struct rl_gpu_scene *gs, const struc
     struct rl_gpu *gpu = gs->gpu;
     uint64_t key = normal_map_key(map, settings);
     *texture = rl_kept_take(&gpu->kept, RL_KEPT_TEXTURE, key);
-    if (*texture)
+    if (*texture) {
+        gs->counters.textures_kept++;
         return RL_OK;
+    }
     size_t bytes = 0;
     int status = rl_normal_map_make(texture, &gpu->gl, map, settings, &bytes, error);
     gs->counters.bytes_uploaded += bytes;

@@ -2,6 +2,11 @@
 #include "gpu/context.h"
 #include "gpu/fixture.h"
 
+enum { WIDTH = 64, HEIGHT = 48 };
+
+/* Of a picture: four components. */
+#define IMAGE_BYTES ((size_t)WIDTH * HEIGHT * 4 * sizeof(float))
+
 static struct rl_gpu *gpu;
 
 static int open_gpu(void **state)
@@ -52,7 +57,7 @@ static void complete(struct rl_material *material, const struct rl_effect *e)
 static void begin_scene(struct rl_scene *scene, size_t without)
 {
     static char *const name = "material";
-    fixture_begin(scene, 64, 48);
+    fixture_begin(scene, WIDTH, HEIGHT);
     free(scene->material);
     free(scene->object);
     scene->material = calloc(rl_n_effects + 1, sizeof *scene->material);
@@ -81,9 +86,15 @@ static void begin_scene(struct rl_scene *scene, size_t without)
 struct done {
     struct rl_plan plan;
     struct rl_gpu_counters made, frame;
+    struct rl_image image;
 };
 
-/* On a context that has kept nothing of what was drawn before. */
+static void clear(struct done *done)
+{
+    rl_plan_clear(&done->plan);
+    rl_image_clear(&done->image);
+}
+
 static void render(struct done *done, const struct rl_scene *scene)
 {
     struct rl_error error;
@@ -92,14 +103,22 @@ static void render(struct done *done, const struct rl_scene *scene)
     double seconds;
     settings.env_size = 16;
     settings.normal_size = 64;
-    rl_kept_clear(&gpu->kept, &gpu->gl);
     check_ok(rl_plan_make(&done->plan, scene, &settings, &error), &error);
     check_ok(rl_gpu_scene_make(&gs, gpu, scene, &done->plan, &error), &error);
     done->made = rl_gpu_scene_counters(gs);
     rl_gpu_scene_reset_counters(gs);
     check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
     done->frame = rl_gpu_scene_counters(gs);
+    check_ok(rl_gpu_scene_read(gs, &done->image, &error), &error);
     rl_gpu_scene_free(gs);
+}
+
+/* On a context that has kept nothing of what was drawn before: everything is made. */
+static void render_anew(struct done *done, const struct rl_scene *scene)
+{
+    rl_kept_clear(&gpu->kept, &gpu->gl);
+    render(done, scene);
+    assert_int_equal(done->made.programs_kept + done->made.textures_kept, 0);
 }
 
 static size_t count_modules(const struct rl_plan *plan)
@@ -166,13 +185,13 @@ static void test_each_effect_removed(void **state)
     struct rl_scene scene;
     struct done full;
     begin_scene(&scene, rl_n_effects);
-    render(&full, &scene);
+    render_anew(&full, &scene);
     check_plan(&full, &scene);
     fixture_end(&scene);
     for (size_t row = 0; row < rl_n_effects; row++) {
         struct done less;
         begin_scene(&scene, row);
-        render(&less, &scene);
+        render_anew(&less, &scene);
         check_plan(&less, &scene);
         /* Its modules are gone, and so is nothing that another needs. */
         struct rl_plan_program own = {0};
@@ -202,14 +221,62 @@ static void test_each_effect_removed(void **state)
         assert_int_equal(less.made.programs, full.made.programs - 1);
         assert_int_equal(full.made.bytes_uploaded - less.made.bytes_uploaded,
                          light_bytes(full.plan.sees) - light_bytes(less.plan.sees));
-        rl_plan_clear(&less.plan);
+        clear(&less);
         fixture_end(&scene);
     }
-    rl_plan_clear(&full.plan);
+    clear(&full);
+}
+
+/* The same scene once more is in use as before, but compiles no program and uploads no normal map. */
+static void test_kept(void **state)
+{
+    (void)state;
+    const size_t map_bytes = (size_t)64 * 64 * 4;
+    struct rl_scene scene;
+    struct done first, again;
+    begin_scene(&scene, rl_n_effects);
+    render_anew(&first, &scene);
+    render(&again, &scene);
+    check_plan(&again, &scene);
+    assert_int_equal(again.made.programs_kept, again.made.programs);
+    assert_int_equal(again.made.textures_kept, again.plan.n_normal_maps);
+    assert_int_equal(first.made.bytes_uploaded - again.made.bytes_uploaded,
+                     again.plan.n_normal_maps * map_bytes);
+    assert_memory_equal(first.image.data, again.image.data, IMAGE_BYTES);
+    clear(&again);
+    fixture_end(&scene);
+    clear(&first);
+}
+
+/* A kept program stands only for the same: after scenes that have every other effect the picture is that of a new context, and only
+ * programs that no scene had before are new. */
+static void test_kept_among_others(void **state)
+{
+    (void)state;
+    struct done anew, kept;
+    for (size_t row = 0; row < rl_n_effects; row++) {
+        struct rl_scene scene;
+        struct done other;
+        begin_scene(&scene, (row + 1) % rl_n_effects);
+        render_anew(&other, &scene);
+        fixture_end(&scene);
+        begin_scene(&scene, row);
+        render(&kept, &scene);
+        render_anew(&anew, &scene);
+        assert_true(kept.made.programs_kept < kept.made.programs);
+        assert_true(kept.made.programs_kept > 0);
+        assert_memory_equal(anew.image.data, kept.image.data, IMAGE_BYTES);
+        assert_memory_not_equal(other.image.data, kept.image.data, IMAGE_BYTES);
+        clear(&other);
+        clear(&kept);
+        clear(&anew);
+        fixture_end(&scene);
+    }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_effect_removed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_effect_removed),
+                                       cmocka_unit_test(test_kept), cmocka_unit_test(test_kept_among_others)};
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }
