@@ -9,10 +9,33 @@
 #include <stdlib.h>
 
 #include "base/clock.h"
+#include "base/hash.h"
 #include "gpu/scene.h"
 #include "gpu/textures.h"
 
 static const double NEAR_RATIO = 1e-6;
+
+/* What is drawn into it is never counted on, but a large one takes longer to allocate than to draw: its pages are cleared. */
+static int make_cube(GLuint *cube, struct rl_gpu_scene *gs, struct rl_error *error)
+{
+    struct rl_gpu *gpu = gs->gpu;
+    const struct rl_settings *s = &gs->plan->settings;
+    const int what[] = {s->env_size, (int)s->env_format};
+    uint64_t key = rl_hash_bytes(RL_HASH_START, what, sizeof what);
+    *cube = rl_kept_take(&gpu->kept, RL_KEPT_STORAGE, key);
+    if (*cube) {
+        gs->counters.textures_kept++;
+        return RL_OK;
+    }
+    size_t texels = 6 * (size_t)s->env_size * (size_t)s->env_size;
+    int status = rl_cube_make(cube, &gpu->gl, s, error);
+    if (status == RL_OK)
+        return rl_kept_add(&gpu->kept, &gpu->gl, RL_KEPT_STORAGE, key, *cube,
+                           texels * rl_texel_storage(s->env_format).bytes, error);
+    gpu->gl.DeleteTextures(1, cube);
+    *cube = 0;
+    return status;
+}
 
 int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)
 {
@@ -22,7 +45,7 @@ int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)
     if (gs->plan->n_environments == 0)
         return RL_OK;
     for (size_t i = 0; i < gs->plan->n_environments; i++) {
-        int status = rl_cube_make(&gs->environment[i], gl, &gs->plan->settings, error);
+        int status = make_cube(&gs->environment[i], gs, error);
         if (status != RL_OK)
             return status;
         gs->counters.textures++;
@@ -37,8 +60,8 @@ int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)
 void rl_environments_free(struct rl_gpu_scene *gs)
 {
     const struct rl_gl *gl = &gs->gpu->gl;
-    if (gs->environment)
-        gl->DeleteTextures((GLsizei)gs->plan->n_environments, gs->environment);
+    for (size_t i = 0; gs->environment && i < gs->plan->n_environments; i++)
+        rl_kept_release(&gs->gpu->kept, gl, RL_KEPT_STORAGE, gs->environment[i]);
     gl->DeleteFramebuffers(1, &gs->environment_framebuffer);
     gl->DeleteRenderbuffers(1, &gs->environment_depth);
     free(gs->environment);

@@ -5,7 +5,10 @@
 
 /* Of those nobody uses. A program counts for about what llvmpipe keeps of it: its code for each state it was drawn in. */
 static const size_t most_bytes[RL_KEPT_KINDS] = {
-    [RL_KEPT_PROGRAM] = (size_t)64 << 20, [RL_KEPT_TEXTURE] = (size_t)192 << 20};
+    [RL_KEPT_PROGRAM] = (size_t)64 << 20,
+    [RL_KEPT_TEXTURE] = (size_t)192 << 20,
+    [RL_KEPT_STORAGE] = (size_t)128 << 20,
+};
 
 static void delete_object(const struct rl_gl *gl, enum rl_kept_kind kind, GLuint id)
 {
@@ -20,7 +23,7 @@ GLuint rl_kept_take(struct rl_kept *kept, enum rl_kept_kind kind, uint64_t key)
     kept->calls++;
     for (size_t i = 0; i < kept->n; i++) {
         struct rl_kept_object *o = &kept->object[i];
-        if (o->kind != kind || o->key != key)
+        if (o->kind != kind || o->key != key || (kind == RL_KEPT_STORAGE && o->users > 0))
             continue;
         o->users++;
         o->used = kept->calls;

@@ -1,10 +1,11 @@
-/* OpenGL objects kept from scene to scene: what took long to make (programs, normal maps) and would be made the same again.
+/* OpenGL objects kept from scene to scene: what took long to make (programs, normal maps, memory) and would be made the same again.
  *
  *     id = rl_kept_take(&gpu->kept, RL_KEPT_PROGRAM, key);            one of that key, which has one user more now
  *     if (!id) { id = make(...); rl_kept_add(&gpu->kept, gl, RL_KEPT_PROGRAM, key, id, bytes, &error); }
  *     rl_kept_release(&gpu->kept, gl, RL_KEPT_PROGRAM, id);
  *
- * Equal keys stand for equal contents: nobody may change an object after it was added. Those without users stay until all of
+ * Equal keys stand for equal contents: nobody may change an object after it was added. Storage is the exception: textures of one size and
+ * format that every user draws anew, and so one user's at a time. Those without users stay until all of
  * a kind take more than their share of memory; then the one that was used least lately goes first.
  */
 #ifndef RL_GPU_KEPT_H
@@ -16,7 +17,7 @@
 #include "base/error.h"
 #include "gpu/gl.h"
 
-enum rl_kept_kind { RL_KEPT_PROGRAM, RL_KEPT_TEXTURE, RL_KEPT_KINDS };
+enum rl_kept_kind { RL_KEPT_PROGRAM, RL_KEPT_TEXTURE, RL_KEPT_STORAGE, RL_KEPT_KINDS };
 
 struct rl_kept_object {
     uint64_t key;
@@ -34,7 +35,7 @@ struct rl_kept {
     uint64_t calls;
 };
 
-/* 0 if there is none. */
+/* 0 if there is none; of storage, none that has no user. */
 GLuint rl_kept_take(struct rl_kept *kept, enum rl_kept_kind kind, uint64_t key);
 
 /* The object is the cache's from now on, its caller the first user. On an error it is deleted. */

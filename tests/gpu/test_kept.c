@@ -165,12 +165,62 @@ static void memory_is_bounded(void **state)
     assert_int_equal(kept.n, 0);
 }
 
+/* A texture whose contents nobody counts on goes from one user to the next, never to two at once. */
+static void storage_has_one_user(void **state)
+{
+    (void)state;
+    struct rl_kept kept = {0};
+    GLuint id;
+    gpu->gl.GenTextures(1, &id);
+    assert_int_equal(rl_kept_add(&kept, &gpu->gl, RL_KEPT_STORAGE, 1, id, 1024, NULL), RL_OK);
+    assert_int_equal(rl_kept_take(&kept, RL_KEPT_STORAGE, 1), 0);
+    rl_kept_release(&kept, &gpu->gl, RL_KEPT_STORAGE, id);
+    assert_int_equal(rl_kept_take(&kept, RL_KEPT_STORAGE, 2), 0);
+    assert_int_equal(rl_kept_take(&kept, RL_KEPT_STORAGE, 1), id);
+    rl_kept_clear(&kept, &gpu->gl);
+}
+
+/* A ball that mirrors one light, which is at x. */
+static void render_lit_from(struct rl_image *image, double x)
+{
+    struct rl_scene scene;
+    struct rl_settings s = settings_of(4, 8, 1);
+    fixture_begin(&scene, 48, 36);
+    fixture_camera(&scene, v3(0.0, 0.0, 4.0), v3(0.0, 0.0, 0.0), 32.0);
+    fixture_object(&scene, RL_SHAPE_SPHERE, 32, 1.0, v3(0.0, 0.0, 0.0),
+                   fixture_material(&scene, 30.0, 0.02, 0.3, 1.0, "random"));
+    fixture_quad(&scene, v3(x, 2.0, 3.0), v3(0.8, 0.0, 0.0), v3(0.0, 0.8, 0.0), 2.0, 1.5, 1.0);
+    fixture_render(image, gpu, &scene, &s);
+    fixture_end(&scene);
+}
+
+/* An environment map shows nothing of the lights that its memory showed before. */
+static void environment_maps_are_drawn_anew(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    struct rl_image left, right, fresh;
+    const size_t bytes = (size_t)48 * 36 * 4 * sizeof(float);
+    render_lit_from(&left, -2.0);
+    render_lit_from(&right, 2.0);
+    assert_memory_not_equal(left.data, right.data, bytes);
+    rl_gpu_close(gpu);
+    check_ok(rl_gpu_open(&gpu, "auto", &error), &error);
+    render_lit_from(&fresh, 2.0);
+    assert_memory_equal(right.data, fresh.data, bytes);
+    rl_image_clear(&left);
+    rl_image_clear(&right);
+    rl_image_clear(&fresh);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_scenes_share),
         cmocka_unit_test(warm_up_changes_nothing),
         cmocka_unit_test(memory_is_bounded),
+        cmocka_unit_test(storage_has_one_user),
+        cmocka_unit_test(environment_maps_are_drawn_anew),
         cmocka_unit_test(pictures_are_those_of_a_new_context),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
