@@ -41,11 +41,6 @@ static int draw(void *user, double *seconds, struct rl_error *error)
     return RL_OK;
 }
 
-static struct rl_interval exactly(double x)
-{
-    return (struct rl_interval){x, x, x};
-}
-
 static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t n, struct rl_error *error)
 {
     for (size_t i = 0; i < n; i++)
@@ -69,7 +64,7 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
                   {"unconverged", "px", (double)s->unconverged},
                   {"lines", "1", (double)s->evaluations}};
     for (size_t i = 0; i < sizeof metric / sizeof metric[0] && status == RL_OK; i++)
-        status = rl_accuracy_add(r, metric[i].name, exactly(metric[i].x), metric[i].unit, error);
+        status = rl_accuracy_add(r, metric[i].name, rl_exact_interval(metric[i].x), metric[i].unit, error);
     return status;
 }
 

@@ -151,7 +151,7 @@ static struct rl_interval quantile(double *value, size_t n, double share)
 {
     qsort(value, n, sizeof *value, ascending);
     double x = value[(size_t)fmax(0.0, ceil(share * (double)n) - 1.0)];
-    return (struct rl_interval){x, x, x};
+    return rl_exact_interval(x);
 }
 
 static struct rl_interval share_of(const double *yes, size_t n)
@@ -159,8 +159,7 @@ static struct rl_interval share_of(const double *yes, size_t n)
     double sum = 0.0;
     for (size_t i = 0; i < n; i++)
         sum += yes[i];
-    sum /= (double)n;
-    return (struct rl_interval){sum, sum, sum};
+    return rl_exact_interval(sum / (double)n);
 }
 
 static int store_series(struct rl_record *r, const struct arm *arm, struct rl_error *error)

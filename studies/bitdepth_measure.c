@@ -138,7 +138,7 @@ static int measure_frame(struct rl_record *r, struct group *g)
     if (status == RL_OK)
         status = compare(r, g, &rounded, &clamped);
     if (status == RL_OK)
-        status = add(r, "clipped", (struct rl_interval){share, share, share}, g->error);
+        status = add(r, "clipped", rl_exact_interval(share), g->error);
     rl_seeds_clear(&rounded);
     rl_seeds_clear(&clamped);
     return status;

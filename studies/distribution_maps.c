@@ -129,11 +129,6 @@ static int add(struct rl_record *r, const char *name, struct rl_interval x, cons
     return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
 }
 
-static struct rl_interval exactly(double x)
-{
-    return (struct rl_interval){x, x, x};
-}
-
 static int add_fit(struct rl_record *r, const struct tally *t, struct rl_error *error)
 {
     struct rl_chi_square delta = rl_goodness_chi_square(&t->u, RL_DISTRIBUTION_BINS);
@@ -153,7 +148,7 @@ static int add_fit(struct rl_record *r, const struct tally *t, struct rl_error *
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
-        status = add(r, row[i].name, exactly(row[i].value), "1", error);
+        status = add(r, row[i].name, rl_exact_interval(row[i].value), "1", error);
     if (status == RL_OK)
         status = add(r, "kolmogorov", rl_goodness_kolmogorov(&t->u, 0.95), "1", error);
     double ratio[RL_DISTRIBUTION_BINS];

@@ -122,7 +122,7 @@ static int add_parallax(struct rl_record *r, struct rl_bench *bench, const struc
         status = add(r, "parallax", (struct rl_interval){m.rmse, fmax(0.0, m.rmse - t), m.rmse + t}, error);
     const struct rl_object *object = &scene->object[rl_environment_object(scene)];
     double size = object->radius / v3_length(v3_sub(scene->light[0].centre, object->centre));
-    return status == RL_OK ? add(r, "size", (struct rl_interval){size, size, size}, error) : status;
+    return status == RL_OK ? add(r, "size", rl_exact_interval(size), error) : status;
 }
 
 static int measure_parallax(struct rl_record *records, size_t n, struct rl_bench *bench,

@@ -20,11 +20,6 @@ static int add(struct rl_record *r, const char *name, struct rl_interval x, cons
     return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
 }
 
-static struct rl_interval exactly(double x)
-{
-    return (struct rl_interval){x, x, x};
-}
-
 /* The i-th of n points spread evenly over the sphere: a golden-angle spiral, each point for the same area. */
 static rl_vec3 sphere_point(size_t i, size_t n)
 {
@@ -149,7 +144,7 @@ static int add_lobe(struct rl_record *r, const struct lobe *lobe, struct rl_erro
             add(r, "against_formula",
                 (struct rl_interval){exp(against.value), exp(against.low), exp(against.high)}, "1", error);
     if (status == RL_OK)
-        status = add(r, "worst", exactly(worst), "1", error);
+        status = add(r, "worst", rl_exact_interval(worst), "1", error);
     if (status == RL_OK)
         status = add(r, "half", (struct rl_interval){p, middle - room, middle + room}, "1", error);
     return status;
@@ -357,7 +352,7 @@ static int measure_scene(struct rl_record *r, struct rl_bench *bench, const stru
     if (status == RL_OK)
         status = add(r, "mean", (struct rl_interval){m.bias, m.bias - room, m.bias + room}, "1", error);
     if (status == RL_OK)
-        status = add(r, "moved", exactly(share), "1", error);
+        status = add(r, "moved", rl_exact_interval(share), "1", error);
     return status;
 }
 

@@ -24,11 +24,6 @@ static int add(struct rl_record *r, const char *name, struct rl_interval x, cons
     return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
 }
 
-static struct rl_interval exactly(double x)
-{
-    return (struct rl_interval){x, x, x};
-}
-
 /* One arm's own figures. How precise the median is depends on the clock, as it does: time_precision, time_capped. */
 static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, double precision,
                    struct rl_error *error)
@@ -37,11 +32,11 @@ static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, dou
     double reached = fmax(ms.high - ms.value, ms.value - ms.low) / ms.value;
     int status = add(r, "frame_ms", ms, "ms", error);
     if (status == RL_OK)
-        status = add(r, "frames", exactly((double)t->n_rounds), "1", error);
+        status = add(r, "frames", rl_exact_interval((double)t->n_rounds), "1", error);
     if (status == RL_OK)
-        status = add(r, "time_precision", exactly(reached), "1", error);
+        status = add(r, "time_precision", rl_exact_interval(reached), "1", error);
     if (status == RL_OK)
-        status = add(r, "time_capped", exactly(reached > precision), "1", error);
+        status = add(r, "time_capped", rl_exact_interval(reached > precision), "1", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;
 }
 

@@ -11,6 +11,12 @@ struct rl_interval {
     double value, low, high;
 };
 
+/* Of what is known without error. */
+static inline struct rl_interval rl_exact_interval(double x)
+{
+    return (struct rl_interval){x, x, x};
+}
+
 /* All of these take a confidence level in (0, 1). Where there is no answer (no samples, a NaN among them, no
  * memory) value, low and high are NaN. The samples are not changed. */
 
