@@ -288,41 +288,6 @@ static const struct rl_table tables[] = {
      "", columns, sizeof columns / sizeof columns[0]},
 };
 
-static const struct rl_column model_columns[] = {
-    {"scene", RL_COLUMN_SCENE, NULL},
-    {"model", RL_COLUMN_TEXT, "model"},
-    {"series", RL_COLUMN_TEXT, "series"},
-    {"arms", RL_COLUMN_TEXT, "arms"},
-    {"quantity", RL_COLUMN_TEXT, "quantity"},
-    {"points", RL_COLUMN_VALUE, "points"},
-    {"frames", RL_COLUMN_VALUE, "frames"},
-    RL_COLUMNS_WITH_INTERVAL("constant_ms"),
-    RL_COLUMNS_WITH_INTERVAL("per_pixel_ns"),
-    RL_COLUMNS_WITH_INTERVAL("per_drawn_pixel_ns"),
-    RL_COLUMNS_WITH_INTERVAL("per_sample_ns"),
-    RL_COLUMNS_WITH_INTERVAL("per_texel_ns"),
-    RL_COLUMNS_WITH_INTERVAL("per_object_us"),
-    RL_COLUMNS_WITH_INTERVAL("per_roughness_us"),
-    RL_COLUMNS_WITH_INTERVAL("per_texel_normal_ns"),
-    {"r2", RL_COLUMN_VALUE, "r2"},
-    {"residual", RL_COLUMN_VALUE, "residual"},
-    RL_COLUMNS_WITH_INTERVAL("worst_residual"),
-    {"worst_width_px", RL_COLUMN_VALUE, "worst_width"},
-    {"worst_samples", RL_COLUMN_VALUE, "worst_samples"},
-    {"worst_env_size_px", RL_COLUMN_VALUE, "worst_env_size"},
-    {"worst_objects", RL_COLUMN_VALUE, "worst_objects"},
-    {"worst_roughnesses", RL_COLUMN_VALUE, "worst_roughnesses"},
-    {"noise_floor", RL_COLUMN_VALUE, "noise_floor"},
-    {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
-};
-
-static const struct rl_table model_tables[] = {
-    {"fps_models",
-     "Cost models, fitted by least squares to the medians, relative residuals; intervals from drawing the "
-     "rounds again; and where each fails most",
-     "", model_columns, sizeof model_columns / sizeof model_columns[0]},
-};
-
 static const struct rl_figure figures[] = {
     {"rate", "Frames a second, measured here and as the paper's Table 1 has them (GeForce FX 5200). Bars: 95 "
              "% intervals of the "
@@ -401,8 +366,8 @@ const struct rl_study rl_study_fps = {
     .scenes = scenes,
     .tables = tables,
     .n_tables = sizeof tables / sizeof tables[0],
-    .derived_tables = model_tables,
-    .n_derived_tables = sizeof model_tables / sizeof model_tables[0],
+    .derived_tables = &rl_fps_model_table,
+    .n_derived_tables = 1,
     .figures = figures,
     .n_figures = sizeof figures / sizeof figures[0],
     .figure_patterns = figure_patterns,

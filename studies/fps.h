@@ -47,8 +47,10 @@ int rl_fps_scene_make(struct rl_scene *copy, const struct rl_scene *scene, int o
                       struct rl_error *error);
 void rl_fps_scene_free(struct rl_scene *copy);
 
-/* The models of every scene that has a series: one record each, "model=NAME ...", with its coefficients and residuals. */
+/* The models of every scene that has a series: one record each, "model=NAME ...", with its coefficients and residuals; and the table
+ * that shows them. */
 int rl_fps_derive(struct rl_run *models, const struct rl_run *run, struct rl_error *error);
+extern const struct rl_table rl_fps_model_table;
 
 /* Reads the cases that a model is fitted to: a claim that rests on the model rests on them (results/trace.h). */
 void rl_fps_read_cases(const struct rl_run *run, const char *scene, const char *model);

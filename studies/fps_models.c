@@ -49,6 +49,43 @@ static const struct model {
     {"exhaustive", "exhaustive", "exhaustive", false, 3, {CONSTANT, DRAWN, TEXEL_NORMALS}},
 };
 
+static const struct rl_column columns[] = {
+    {"scene", RL_COLUMN_SCENE, NULL},
+    {"model", RL_COLUMN_TEXT, "model"},
+    {"series", RL_COLUMN_TEXT, "series"},
+    {"arms", RL_COLUMN_TEXT, "arms"},
+    {"quantity", RL_COLUMN_TEXT, "quantity"},
+    {"points", RL_COLUMN_VALUE, "points"},
+    {"frames", RL_COLUMN_VALUE, "frames"},
+    RL_COLUMNS_WITH_INTERVAL("constant_ms"),
+    RL_COLUMNS_WITH_INTERVAL("per_pixel_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_drawn_pixel_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_sample_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_texel_ns"),
+    RL_COLUMNS_WITH_INTERVAL("per_object_us"),
+    RL_COLUMNS_WITH_INTERVAL("per_roughness_us"),
+    RL_COLUMNS_WITH_INTERVAL("per_texel_normal_ns"),
+    {"r2", RL_COLUMN_VALUE, "r2"},
+    {"residual", RL_COLUMN_VALUE, "residual"},
+    RL_COLUMNS_WITH_INTERVAL("worst_residual"),
+    {"worst_width_px", RL_COLUMN_VALUE, "worst_width"},
+    {"worst_samples", RL_COLUMN_VALUE, "worst_samples"},
+    {"worst_env_size_px", RL_COLUMN_VALUE, "worst_env_size"},
+    {"worst_objects", RL_COLUMN_VALUE, "worst_objects"},
+    {"worst_roughnesses", RL_COLUMN_VALUE, "worst_roughnesses"},
+    {"noise_floor", RL_COLUMN_VALUE, "noise_floor"},
+    {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
+};
+
+const struct rl_table rl_fps_model_table = {
+    "fps_models",
+    "Cost models, fitted by least squares to the medians, relative residuals; intervals from drawing the "
+    "rounds again; and where each fails most",
+    "",
+    columns,
+    sizeof columns / sizeof columns[0],
+};
+
 static bool same(const struct rl_record *a, const struct rl_record *b, const char *key)
 {
     double x = rl_parameter_number(a->parameters, key), y = rl_parameter_number(b->parameters, key);
