@@ -4,6 +4,7 @@
 #define RL_STUDIES_ACCURACY_H
 
 #include "measure/statistics.h"
+#include "studies/judging.h"
 #include "studies/study.h"
 
 /* "part=points": one integrator at one tolerance on the fixed points of one kind of light (points.h). The cases of a group take turns at
@@ -29,15 +30,8 @@ int rl_accuracy_measure_kernel(struct rl_record *records, size_t n, struct rl_be
 
 int rl_accuracy_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
 
-/* The claims about one scene's images, and what they and the others are added with. */
-struct rl_accuracy_view {
-    const struct rl_run *run;
-    const char *scene;
-    struct rl_claims *claims;
-    struct rl_error *error;
-};
-int rl_accuracy_judge_images(const struct rl_accuracy_view *view);
-struct rl_claim *rl_accuracy_claim(const struct rl_accuracy_view *view, const char *text);
+/* Those about one scene's images. */
+int rl_accuracy_judge_images(const struct rl_judging *j);
 
 /* Metric and its interval into a record. */
 static inline int rl_accuracy_add(struct rl_record *r, const char *name, struct rl_interval x,

@@ -4,17 +4,15 @@
 
 #include "studies/accuracy.h"
 
-typedef struct rl_accuracy_view view;
-
 /* The bars were set for the shipped scenes. */
 static const struct {
     const char *scene;
     double seconds;
 } bars[] = {{"sphere-quad", 2.0}, {"teapot-star", 5.0}};
 
-static const struct rl_series *seconds_of(const view *v, const char *pattern)
+static const struct rl_series *seconds_of(const struct rl_judging *j, const char *pattern)
 {
-    const struct rl_record *r = rl_run_find(v->run, v->scene, pattern);
+    const struct rl_record *r = rl_run_find(j->run, j->scene, pattern);
     return r ? rl_record_series(r, "seconds") : NULL;
 }
 
@@ -40,43 +38,36 @@ static size_t quiet_rounds(double x[ROUNDS_MAX], double y[ROUNDS_MAX], const str
     return n;
 }
 
-static struct rl_claim *begin_claim(const view *v, const char *text)
-{
-    char whole[240];
-    snprintf(whole, sizeof whole, "%.180s (%.40s)", text, v->scene);
-    return rl_accuracy_claim(v, whole);
-}
-
-static int claim_seconds(const view *v, double bar)
+static int claim_seconds(const struct rl_judging *j, double bar)
 {
     char text[160];
-    snprintf(text, sizeof text, "an image of 640x480 to 1e-6 takes at most %g s on two cores", bar);
-    struct rl_claim *c = begin_claim(v, text);
+    snprintf(text, sizeof text, "ours: an image of 640x480 to 1e-6 takes at most %g s on two cores", bar);
+    struct rl_claim *c = rl_judging_claim(j, text);
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "seconds";
     const struct rl_series *s =
-        seconds_of(v, "part=images method=reference tolerance=1e-06 threads=2 width=640 height=480");
+        seconds_of(j, "part=images method=reference tolerance=1e-06 threads=2 width=640 height=480");
     if (!s)
         return RL_OK;
     struct rl_interval x = rl_median_interval(s->value, s->n, 0.95);
     rl_claim_value(c, x.value, x.low, x.high, "s");
     c->verdict = rl_verdict_at_most(x.low, x.high, bar);
     snprintf(c->note, sizeof c->note, "%zu rounds, by the clock on the wall, on %.100s", s->n,
-             v->run->provenance.cpu);
+             j->run->provenance.cpu);
     return RL_OK;
 }
 
-static int claim_speed_up(const view *v)
+static int claim_speed_up(const struct rl_judging *j)
 {
     struct rl_claim *c =
-        begin_claim(v, "two threads draw the image to 1e-6 at least 1.8 times as fast as one");
+        rl_judging_claim(j, "ours: two threads draw the image to 1e-6 at least 1.8 times as fast as one");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "seconds";
-    const struct rl_record *one = rl_run_find(v->run, v->scene,
+    const struct rl_record *one = rl_run_find(j->run, j->scene,
                                               "part=images method=reference tolerance=1e-06 threads=1"),
-                           *two = rl_run_find(v->run, v->scene,
+                           *two = rl_run_find(j->run, j->scene,
                                               "part=images method=reference tolerance=1e-06 threads=2");
     if (!one || !two)
         return RL_OK;
@@ -93,14 +84,15 @@ static int claim_speed_up(const view *v)
     return RL_OK;
 }
 
-static int claim_growth(const view *v)
+static int claim_growth(const struct rl_judging *j)
 {
-    struct rl_claim *c = begin_claim(v, "an image to 1e-8 takes at most twice as long as one to 1e-3");
+    struct rl_claim *c =
+        rl_judging_claim(j, "ours: an image to 1e-8 takes at most twice as long as one to 1e-3");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "seconds";
-    const struct rl_series *coarse = seconds_of(v, "part=images method=reference tolerance=0.001"),
-                           *fine = seconds_of(v, "part=images method=reference tolerance=1e-08");
+    const struct rl_series *coarse = seconds_of(j, "part=images method=reference tolerance=0.001"),
+                           *fine = seconds_of(j, "part=images method=reference tolerance=1e-08");
     if (!coarse || !fine)
         return RL_OK;
     struct rl_interval x =
@@ -111,15 +103,15 @@ static int claim_growth(const view *v)
     return RL_OK;
 }
 
-static int claim_exhaustive(const view *v)
+static int claim_exhaustive(const struct rl_judging *j)
 {
-    struct rl_claim *c = begin_claim(
-        v, "exhaustive draws an image at 1e9 texel-normals per second or more on two threads, all included");
+    struct rl_claim *c = rl_judging_claim(j, "ours: exhaustive draws an image at 1e9 texel-normals per "
+                                             "second or more on two threads, all included");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "seconds";
     const struct rl_record *r =
-        rl_run_find(v->run, v->scene, "part=images method=exhaustive threads=2 width=640 height=480");
+        rl_run_find(j->run, j->scene, "part=images method=exhaustive threads=2 width=640 height=480");
     if (!r)
         return RL_OK;
     double seconds[ROUNDS_MAX], same[ROUNDS_MAX];
@@ -128,7 +120,7 @@ static int claim_exhaustive(const view *v)
     snprintf(c->note, sizeof c->note,
              "rays, maps and poles included; %zu of %zu rounds in which others took at most %g of a core; on "
              "%.100s",
-             n, rl_record_series(r, "seconds")->n, others_most, v->run->provenance.cpu);
+             n, rl_record_series(r, "seconds")->n, others_most, j->run->provenance.cpu);
     if (n == 0)
         return RL_OK;
     struct rl_interval x = rl_median_interval(seconds, n, 0.95);
@@ -137,15 +129,15 @@ static int claim_exhaustive(const view *v)
     return RL_OK;
 }
 
-int rl_accuracy_judge_images(const struct rl_accuracy_view *v)
+int rl_accuracy_judge_images(const struct rl_judging *j)
 {
     int status = RL_OK;
     for (size_t i = 0; i < sizeof bars / sizeof bars[0] && status == RL_OK; i++)
-        if (strcmp(bars[i].scene, v->scene) == 0)
-            status = claim_seconds(v, bars[i].seconds);
+        if (strcmp(bars[i].scene, j->scene) == 0)
+            status = claim_seconds(j, bars[i].seconds);
     if (status == RL_OK)
-        status = claim_speed_up(v);
+        status = claim_speed_up(j);
     if (status == RL_OK)
-        status = claim_growth(v);
-    return status == RL_OK ? claim_exhaustive(v) : status;
+        status = claim_growth(j);
+    return status == RL_OK ? claim_exhaustive(j) : status;
 }

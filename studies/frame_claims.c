@@ -6,38 +6,16 @@
 #include "studies/frame.h"
 #include "studies/judging.h"
 
-static const double step_of_8_bits = 1.0 / 255.0;
-
-struct view {
-    const struct rl_run *run;
-    const char *scene;
-    struct rl_claims *claims;
-    struct rl_error *error;
-};
-
-/* Of a scene, its name is part of the claim. */
-static struct rl_claim *begin_claim(const struct view *v, const char *text)
-{
-    struct rl_claim *c = rl_claims_add(v->claims, v->error);
-    if (!c)
-        return NULL;
-    if (strcmp(v->scene, RL_NO_SCENE) == 0)
-        snprintf(c->text, sizeof c->text, "%.250s", text);
-    else
-        snprintf(c->text, sizeof c->text, "%.200s (%.40s)", text, v->scene);
-    rl_claim_source(c, v->run, v->scene);
-    return c;
-}
-
-/* The same with "R_r 30" between both parts. */
-static struct rl_claim *begin_claim_at(const struct view *v, const char *before, double rr, const char *after)
+/* A claim with "R_r 30" between both parts. */
+static struct rl_claim *begin_claim_at(const struct rl_judging *j, const char *before, double rr,
+                                       const char *after)
 {
     char text[256];
     snprintf(text, sizeof text, "%sR_r %g%s", before, rr, after);
-    return begin_claim(v, text);
+    return rl_judging_claim(j, text);
 }
 
-/* "; R_r 3: 0.031" */
+/* "; outside: 0.031" */
 static void append(char *note, size_t size, const char *what, double value)
 {
     size_t used = strlen(note);
@@ -45,27 +23,24 @@ static void append(char *note, size_t size, const char *what, double value)
 }
 
 /* The R_r where single figures are taken: the measured one that is nearest to 30, where the highlight shows the light's shape. */
-static double central_rr(const struct view *v, const char *series)
+static double central_rr(const struct rl_judging *j, const char *series)
 {
     double rr[RL_AXIS_MAX];
-    const struct rl_judging j = {v->run, v->scene, v->claims, v->error};
-    return rl_central_rr(rr, rl_judging_axis(&j, series, "rr", rr));
+    return rl_central_rr(rr, rl_judging_axis(j, series, "rr", rr));
 }
 
 /* A metric of the series at every R_r goes into the note, that at the central R_r is the claim's number. */
-static const struct rl_metric *over_rr(struct rl_claim *c, const struct view *v, const char *series,
+static const struct rl_metric *over_rr(struct rl_claim *c, const struct rl_judging *j, const char *series,
                                        const char *metric, const char *unit)
 {
     const struct rl_metric *central = NULL;
-    double middle = central_rr(v, series);
-    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, series));) {
+    double middle = central_rr(j, series);
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, series));) {
         const struct rl_metric *m = rl_record_metric(r, metric);
         double rr = rl_parameter_number(r->parameters, "rr");
-        char what[32];
         if (!m)
             continue;
-        snprintf(what, sizeof what, "R_r %g", rr);
-        append(c->note, sizeof c->note, what, m->value);
+        rl_judging_note(c, rr, m->value);
         if (rr != middle)
             continue;
         central = m;
@@ -74,30 +49,30 @@ static const struct rl_metric *over_rr(struct rl_claim *c, const struct view *v,
     return central;
 }
 
-static int claim_rotation(const struct view *v)
+static int claim_rotation(const struct rl_judging *j)
 {
     struct rl_claim *c =
-        begin_claim(v, "paper: the printed frame is a rotation: lobes are as wide at every normal (mean "
-                       "width over the sphere, 1 to within 1 %)");
+        rl_judging_claim(j, "paper: the printed frame is a rotation: lobes are as wide at every normal (mean "
+                            "width over the sphere, 1 to within 1 %)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "map";
-    if (over_rr(c, v, "series=lobe", "width", "times"))
+    if (over_rr(c, j, "series=lobe", "width", "times"))
         c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.01);
     return RL_OK;
 }
 
 /* The R_r farthest from the formula speaks for all. */
-static int claim_formula(const struct view *v)
+static int claim_formula(const struct rl_judging *j)
 {
-    struct rl_claim *c =
-        begin_claim(v, "ours: it narrows the lobe as tan(delta') = l tan(delta), l = sqrt(n_y^2 + n_z^2) "
-                       "(measured over expected width, 1 to within 1 %)");
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: it narrows the lobe as tan(delta') = l tan(delta), l = sqrt(n_y^2 + n_z^2) "
+           "(measured over expected width, 1 to within 1 %)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "width";
-    over_rr(c, v, "series=lobe", "against_formula", "times");
-    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, "series=lobe"));) {
+    over_rr(c, j, "series=lobe", "against_formula", "times");
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, "series=lobe"));) {
         const struct rl_metric *m = rl_record_metric(r, "against_formula");
         if (m && !(fabs(m->value - 1.0) <= fabs(c->value - 1.0)))
             rl_claim_value(c, m->value, m->low, m->high, "times");
@@ -106,15 +81,15 @@ static int claim_formula(const struct view *v)
     return RL_OK;
 }
 
-static int claim_half(const struct view *v)
+static int claim_half(const struct rl_judging *j)
 {
-    struct rl_claim *c =
-        begin_claim(v, "paper: the printed frame serves: on no more than 1 % of the sphere has a lobe less "
-                       "than half its width");
+    struct rl_claim *c = rl_judging_claim(
+        j, "paper: the printed frame serves: on no more than 1 % of the sphere has a lobe less "
+           "than half its width");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "map";
-    if (!over_rr(c, v, "series=lobe", "half", "of the sphere"))
+    if (!over_rr(c, j, "series=lobe", "half", "of the sphere"))
         return RL_OK;
     append(c->note, sizeof c->note, "of small angles, by the formula", 1.0 - sqrt(0.75));
     c->verdict = rl_verdict_at_most(c->low, c->high, 0.01);
@@ -122,17 +97,17 @@ static int claim_half(const struct view *v)
 }
 
 /* A claim about every place of the light at the central R_r: the worst is its number. */
-static int claim_light(const struct view *v, const char *before, const char *after, const char *metric,
+static int claim_light(const struct rl_judging *j, const char *before, const char *after, const char *metric,
                        double bound)
 {
-    double rr = central_rr(v, "series=light");
+    double rr = central_rr(j, "series=light");
     char pattern[64];
-    struct rl_claim *c = begin_claim_at(v, before, rr, after);
+    struct rl_claim *c = begin_claim_at(j, before, rr, after);
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "highlight";
     snprintf(pattern, sizeof pattern, "series=light rr=%g", rr);
-    for (const struct rl_record *r = NULL; (r = rl_run_next(v->run, r, v->scene, pattern));) {
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, pattern));) {
         const struct rl_metric *m = rl_record_metric(r, metric);
         char what[RL_NAME_MAX];
         if (!m || !rl_parameter(r->parameters, "place", what, sizeof what))
@@ -145,7 +120,7 @@ static int claim_light(const struct view *v, const char *before, const char *aft
     return RL_OK;
 }
 
-static int claim_scene(const struct view *v)
+static int claim_scene(const struct rl_judging *j)
 {
     static const struct {
         const char *before, *after, *metric, *unit;
@@ -156,30 +131,30 @@ static int claim_scene(const struct view *v)
          "max", "of full scale"},
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-        struct rl_claim *c = begin_claim_at(v, row[k].before, central_rr(v, "series=scene"), row[k].after);
+        struct rl_claim *c = begin_claim_at(j, row[k].before, central_rr(j, "series=scene"), row[k].after);
         if (!c)
             return RL_ERR_SYSTEM;
         c->figure = "scene";
-        if (over_rr(c, v, "series=scene", row[k].metric, row[k].unit))
-            c->verdict = rl_verdict_at_most(c->low, c->high, step_of_8_bits);
+        if (over_rr(c, j, "series=scene", row[k].metric, row[k].unit))
+            c->verdict = rl_verdict_at_most(c->low, c->high, RL_STEP_OF_8_BITS);
     }
     return RL_OK;
 }
 
-static int judge_alone(const struct view *v)
+static int judge_alone(const struct rl_judging *j)
 {
-    int (*const claim[])(const struct view *) = {claim_rotation, claim_formula, claim_half};
+    int (*const claim[])(const struct rl_judging *) = {claim_rotation, claim_formula, claim_half};
     int status = RL_OK;
     for (size_t k = 0; k < sizeof claim / sizeof claim[0] && status == RL_OK; k++)
-        status = claim[k](v);
+        status = claim[k](j);
     if (status == RL_OK)
-        status = claim_light(v, "paper: the printed frame serves: it moves a highlight of ",
+        status = claim_light(j, "paper: the printed frame serves: it moves a highlight of ",
                              " by at most 1/255 (RMS over the "
                              "sphere, worst place of the light)",
-                             "rms", step_of_8_bits);
+                             "rms", RL_STEP_OF_8_BITS);
     if (status == RL_OK)
         status = claim_light(
-            v,
+            j,
             "ours: in an orthonormal frame a highlight that turns with the normal is the same everywhere (to "
             "within 1e-5, ",
             ")", "spread", 1e-5);
@@ -191,8 +166,8 @@ int rl_frame_judge(struct rl_claims *claims, const struct rl_run *run, struct rl
     int status = RL_OK;
     const char *scene;
     for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
-        const struct view v = {run, scene, claims, error};
-        status = strcmp(scene, RL_NO_SCENE) == 0 ? judge_alone(&v) : claim_scene(&v);
+        const struct rl_judging j = {run, scene, claims, error};
+        status = strcmp(scene, RL_NO_SCENE) == 0 ? judge_alone(&j) : claim_scene(&j);
     }
     return status;
 }
