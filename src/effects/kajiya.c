@@ -7,36 +7,10 @@
  * k_d pi^2 + k_s times the lobe's integral: k_d = 1/pi^2 is white. `kajiya-printed` is what a listing made of it. */
 #include "effects/fur.h"
 
-static void pack(const double *value, double params[][4])
-{
-    rl_fur_pack(value, value[7] != 0.0, params);
-}
-
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
     rl_fur_sum(rgb, params, 1.0, rl_fur_sine(s->N, L), rl_fur_cone(s->N, L, s->V));
 }
-
-static const struct rl_effect_param param[] = {
-    {.key = "diffuse",
-     .help = "k_d, the fur's colour",
-     .kind = RL_EFFECT_COLOUR,
-     .high = 1.0,
-     .required = true,
-     .coefficient = true},
-    {.key = "specular",
-     .help = "k_s, its highlight's colour",
-     .kind = RL_EFFECT_COLOUR,
-     .high = 1.0,
-     .required = true,
-     .coefficient = true},
-    {.key = "exponent", .help = "p (8)", .low = 1.0, .high = 1000.0, .absent = {8.0}},
-    {.key = "monochrome",
-     .help = "on: both colours as their luminance, shades of grey",
-     .kind = RL_EFFECT_CHOICE,
-     .choice = rl_fur_monochrome},
-    {0},
-};
 
 const struct rl_effect rl_effect_kajiya = {
     .name = "kajiya",
@@ -44,10 +18,10 @@ const struct rl_effect rl_effect_kajiya = {
     .sees = RL_SEES_SOURCES | RL_SEES_CENTROIDS,
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
     .below = true,
-    .param = param,
+    .param = rl_fur_param,
     .modules = {"common/fur", "common/fur_cone"},
     .n_params = 2,
-    .pack = pack,
+    .pack = rl_fur_pack,
     .reflect = reflect,
     .absolute = 2e-6,
     .relative = 1e-3,
