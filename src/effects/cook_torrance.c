@@ -10,31 +10,14 @@
  * which follows n with k = 0, as the paper does. D is Beckmann's or the ellipsoid's (src/model/facets.h). G is that of V-shaped grooves
  * (src/model/attenuation.h), which never hides more than it must: all of it together reflects less than it receives, whatever m, and is
  * the same with light and eye exchanged. Highlight of the paper only: its diffuse part is the effect `diffuse`. */
-#include "effects/effect.h"
+#include "effects/highlight.h"
 #include "model/facets.h"
-#include "model/fresnel.h"
 
-enum { REFLECTANCE = 0, N = 3, K = 6, ROUGHNESS = 9, DISTRIBUTION = 10 };
-
-static const char *check(const double *value, const char **key)
-{
-    bool reflectance = !isnan(value[REFLECTANCE]), n = !isnan(value[N]), k = !isnan(value[K]);
-    *key = "reflectance";
-    if (reflectance && (n || k))
-        return "either the reflectance at normal incidence, or n and k";
-    if (!reflectance && !n && !k)
-        return "the reflectance at normal incidence, or n and k";
-    *key = n ? "k" : "n";
-    return reflectance || (n && k) ? NULL : "both n and k, of the complex index of refraction";
-}
+enum { ROUGHNESS = 9, DISTRIBUTION = 10 };
 
 static void pack(const double *value, double params[][4])
 {
-    bool reflectance = !isnan(value[REFLECTANCE]);
-    for (int c = 0; c < 3; c++) {
-        params[0][c] = reflectance ? rl_fresnel_index(value[REFLECTANCE + c]) : value[N + c];
-        params[1][c] = reflectance ? 0.0 : value[K + c];
-    }
+    rl_reflectance_pack(value, params);
     params[0][3] = value[ROUGHNESS];
     params[1][3] = value[DISTRIBUTION];
 }
@@ -61,24 +44,7 @@ static const struct rl_effect_choice distribution[] = {
     {"beckmann", "common/beckmann"}, {"ellipsoid", "common/ellipsoid_facets"}, {0}};
 
 static const struct rl_effect_param param[] = {
-    {.key = "reflectance",
-     .help = "at normal incidence; or n and k",
-     .kind = RL_EFFECT_COLOUR,
-     .high = 1.0,
-     .absent = {NAN, NAN, NAN},
-     .coefficient = true},
-    {.key = "n",
-     .help = "real part of the index of refraction",
-     .kind = RL_EFFECT_COLOUR,
-     .low = 0.01,
-     .high = 100.0,
-     .absent = {NAN, NAN, NAN},
-     .coefficient = true},
-    {.key = "k",
-     .help = "imaginary part of the index of refraction, 0 for dielectrics",
-     .kind = RL_EFFECT_COLOUR,
-     .high = 100.0,
-     .absent = {NAN, NAN, NAN}},
+    RL_REFLECTANCE_KEYS,
     {.key = "roughness",
      .help = "m: the facets' rms slope for beckmann, 1/R_r for ellipsoid",
      .low = 0.001,
@@ -99,7 +65,7 @@ const struct rl_effect rl_effect_cook_torrance = {
     .roles = RL_ROLE_SPECULAR,
     .param = param,
     .modules = {"common/fresnel"},
-    .check = check,
+    .check = rl_reflectance_check,
     .n_params = 2,
     .pack = pack,
     .reflect = reflect,

@@ -6,33 +6,7 @@
  * own, and their F belongs into the integral over facets; the factor is that of the facet with the surface's own normal. The smoother the
  * surface and the farther from grazing, the nearer are the two; in return each method draws the same factor, and the highlight's error
  * grows by no more than it. */
-#include "model/fresnel.h"
-
-#include "effects/effect.h"
-
-enum { REFLECTANCE = 0, N = 3, K = 6 };
-
-static const char *check(const double *value, const char **key)
-{
-    bool reflectance = !isnan(value[REFLECTANCE]), n = !isnan(value[N]), k = !isnan(value[K]);
-    *key = "reflectance";
-    if (reflectance && (n || k))
-        return "either the reflectance at normal incidence, or n and k";
-    if (!reflectance && !n && !k)
-        return "the reflectance at normal incidence, or n and k";
-    *key = n ? "k" : "n";
-    return reflectance || (n && k) ? NULL : "both n and k, of the complex index of refraction";
-}
-
-static void pack(const double *value, double params[][4])
-{
-    bool reflectance = !isnan(value[REFLECTANCE]);
-    for (int c = 0; c < 3; c++) {
-        params[0][c] = reflectance ? rl_fresnel_index(value[REFLECTANCE + c]) : value[N + c];
-        params[1][c] = reflectance ? 0.0 : value[K + c];
-    }
-    params[0][3] = params[1][3] = 0.0;
-}
+#include "effects/highlight.h"
 
 static void factor(const struct rl_surface *s, double params[][4], double rgb[3])
 {
@@ -41,36 +15,16 @@ static void factor(const struct rl_surface *s, double params[][4], double rgb[3]
         rgb[c] = rl_fresnel(params[0][c], params[1][c], n_v);
 }
 
-static const struct rl_effect_param param[] = {
-    {.key = "reflectance",
-     .help = "at normal incidence; or n and k",
-     .kind = RL_EFFECT_COLOUR,
-     .high = 1.0,
-     .absent = {NAN, NAN, NAN},
-     .coefficient = true},
-    {.key = "n",
-     .help = "real part of the index of refraction",
-     .kind = RL_EFFECT_COLOUR,
-     .low = 0.01,
-     .high = 100.0,
-     .absent = {NAN, NAN, NAN},
-     .coefficient = true},
-    {.key = "k",
-     .help = "imaginary part of the index of refraction, 0 for dielectrics",
-     .kind = RL_EFFECT_COLOUR,
-     .high = 100.0,
-     .absent = {NAN, NAN, NAN}},
-    {0},
-};
+static const struct rl_effect_param param[] = {RL_REFLECTANCE_KEYS, {0}};
 
 const struct rl_effect rl_effect_fresnel = {
     .name = "fresnel",
     .summary = "F(N.V): Fresnel's reflectance as a factor on the highlight of shaped lights",
     .param = param,
     .modules = {"common/fresnel"},
-    .check = check,
+    .check = rl_reflectance_check,
     .n_params = 2,
-    .pack = pack,
+    .pack = rl_reflectance_pack,
     .factor = factor,
     /* At n = 0.01 total reflection begins half a degree from the normal, where single precision knows N.V to 6e-8 and F rises by 400 for each
      * unit of 1 - (N.V)^2. */
