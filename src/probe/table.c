@@ -74,11 +74,22 @@ static void point_light(const struct rl_probe *probe, const double *in, double *
     memcpy(out, results, sizeof results);
 }
 
-#define FRAME_GLSL                                                                                           \
-    "    mat3 f = tangent_frame(normalize(vec3(a[0], a[1], a[2])));\n"                                       \
-    "    for (int i = 0; i < 6; i++)\n"                                                                      \
-    "        r[i] = f[1 + i / 3][i % 3];\n"
-#define HALF_PI (0.5 * RL_PI)
+/* clang-format off */
+/* Columns that several probes have. */
+#define RR {.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX}
+#define DELTA {.name = "delta", .low = -0.5 * RL_PI, .high = 0.5 * RL_PI}
+#define OF_COSINE .low = -1.0, .high = 1.0
+
+/* Of both frames: columns, and GLSL where the module is linked that the probe names. */
+#define FRAME_PROBE \
+    .n_in = 3, .n_out = 6, .n_directions = 1, .n_vectors = 1, \
+    .in = {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}}, \
+    .out = {"tx", "ty", "tz", "bx", "by", "bz"}, \
+    .glsl = "    mat3 f = tangent_frame(normalize(vec3(a[0], a[1], a[2])));\n" \
+            "    for (int i = 0; i < 6; i++)\n" \
+            "        r[i] = f[1 + i / 3][i % 3];\n", \
+    .absolute = 1e-6
+/* clang-format on */
 
 static const struct rl_probe probes[] = {
     {
@@ -86,8 +97,7 @@ static const struct rl_probe probes[] = {
         .summary = "D(delta), the ellipsoid distribution's density per radian",
         .n_in = 2,
         .n_out = 1,
-        .in = {{.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX},
-               {.name = "delta", .low = -HALF_PI, .high = HALF_PI}},
+        .in = {RR, DELTA},
         .out = {"pdf"},
         .cpu = pdf,
     },
@@ -96,8 +106,7 @@ static const struct rl_probe probes[] = {
         .summary = "U(delta), its integral from -pi/2",
         .n_in = 2,
         .n_out = 1,
-        .in = {{.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX},
-               {.name = "delta", .low = -HALF_PI, .high = HALF_PI}},
+        .in = {RR, DELTA},
         .out = {"u"},
         .cpu = cdf,
     },
@@ -106,47 +115,33 @@ static const struct rl_probe probes[] = {
         .summary = "delta(U), and its sine and cosine",
         .n_in = 2,
         .n_out = 3,
-        .in = {{.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX}, {.name = "u", .low = 0.0, .high = 1.0}},
+        .in = {RR, {.name = "u", .low = 0.0, .high = 1.0}},
         .out = {"delta", "sin_delta", "cos_delta"},
         .cpu = inverse,
     },
     {
         .name = "frame",
         .summary = "an orthonormal tangent frame about N",
-        .n_in = 3,
-        .n_out = 6,
-        .n_directions = 1,
-        .n_vectors = 1,
-        .in = {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}},
-        .out = {"tx", "ty", "tz", "bx", "by", "bz"},
         .cpu = frame,
         .modules = {"common/frame"},
-        .glsl = FRAME_GLSL,
-        .absolute = 1e-6,
+        FRAME_PROBE,
     },
     {
         .name = "frame-printed",
         .summary = "the tangent frame about N as the paper prints it",
-        .n_in = 3,
-        .n_out = 6,
-        .n_directions = 1,
-        .n_vectors = 1,
-        .in = {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}},
-        .out = {"tx", "ty", "tz", "bx", "by", "bz"},
         .cpu = frame_printed,
         .modules = {"common/frame_printed"},
-        .glsl = FRAME_GLSL,
-        .absolute = 1e-6,
+        FRAME_PROBE,
     },
     {
         .name = "attenuation",
         .summary = "G, masking and shadowing of V-shaped grooves, from cosines",
         .n_in = 4,
         .n_out = 1,
-        .in = {{.name = "n_h", .low = -1.0, .high = 1.0},
-               {.name = "n_v", .low = -1.0, .high = 1.0},
-               {.name = "n_l", .low = -1.0, .high = 1.0},
-               {.name = "v_h", .low = -1.0, .high = 1.0}},
+        .in = {{.name = "n_h", OF_COSINE},
+               {.name = "n_v", OF_COSINE},
+               {.name = "n_l", OF_COSINE},
+               {.name = "v_h", OF_COSINE}},
         .out = {"g"},
         .cpu = attenuation,
         .modules = {"common/attenuation"},
