@@ -28,6 +28,11 @@ struct wrong {
     const char *message;
 };
 
+/* One line replaced, which is also the one that the message names. */
+/* clang-format off */
+#define AT(line, text, message) {line, line, text, line, message}
+/* clang-format on */
+
 static void check_all(const struct wrong *wrong, size_t n)
 {
     char path[PATH_MAX], expected[PATH_MAX + 512];
