@@ -33,11 +33,4 @@ int rl_accuracy_judge(struct rl_claims *claims, const struct rl_run *run, struct
 /* Those about one scene's images. */
 int rl_accuracy_judge_images(const struct rl_judging *j);
 
-/* Metric and its interval into a record. */
-static inline int rl_accuracy_add(struct rl_record *r, const char *name, struct rl_interval x,
-                                  const char *unit, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
 #endif

@@ -51,11 +51,11 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
     if (status == RL_OK)
         status = rl_record_series_add(r, "others", arm->others, n, error);
     if (status == RL_OK)
-        status = rl_accuracy_add(r, "seconds", seconds, "s", error);
+        status = rl_record_add(r, "seconds", seconds, "s", error);
     if (status == RL_OK && s->texels > 0) {
         double texels = (double)s->texels;
         struct rl_interval rate = {texels / seconds.value, texels / seconds.high, texels / seconds.low};
-        return rl_accuracy_add(r, "texel_normals", rate, "1/s", error);
+        return rl_record_add(r, "texel_normals", rate, "1/s", error);
     }
     const struct {
         const char *name, *unit;
@@ -64,7 +64,7 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
                   {"unconverged", "px", (double)s->unconverged},
                   {"lines", "1", (double)s->evaluations}};
     for (size_t i = 0; i < sizeof metric / sizeof metric[0] && status == RL_OK; i++)
-        status = rl_accuracy_add(r, metric[i].name, rl_exact_interval(metric[i].x), metric[i].unit, error);
+        status = rl_record_add(r, metric[i].name, rl_exact_interval(metric[i].x), metric[i].unit, error);
     return status;
 }
 

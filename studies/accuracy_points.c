@@ -199,7 +199,7 @@ static int store(struct rl_record *r, struct arm *arm, struct rl_error *error)
         {"evaluations", "1", rl_median_interval(arm->at[EVALUATIONS], n, 0.95)},
     };
     for (size_t i = 0; i < sizeof metric / sizeof metric[0] && status == RL_OK; i++)
-        status = rl_accuracy_add(r, metric[i].name, metric[i].x, metric[i].unit, error);
+        status = rl_record_add(r, metric[i].name, metric[i].x, metric[i].unit, error);
     return status;
 }
 

@@ -44,11 +44,6 @@ static int draw(struct rl_seeds *s, struct group *g, const struct rl_record *r)
     return status == RL_OK ? rl_seeds_draw(s, g->bench, g->set, seeds, g->error) : status;
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, "1", error);
-}
-
 static struct rl_interval root(double value, double low, double high)
 {
     return (struct rl_interval){rl_root(value), rl_root(low), rl_root(high)};
@@ -111,7 +106,7 @@ static int compare(struct rl_record *r, const struct group *g, const struct rl_s
         {"change_of_noise", divide(change, g->noise_4)},
     };
     for (size_t i = 0; i < sizeof metric / sizeof metric[0] && status == RL_OK; i++)
-        status = add(r, metric[i].name, metric[i].x, g->error);
+        status = rl_record_add(r, metric[i].name, metric[i].x, "1", g->error);
     return status;
 }
 
@@ -138,7 +133,7 @@ static int measure_frame(struct rl_record *r, struct group *g)
     if (status == RL_OK)
         status = compare(r, g, &rounded, &clamped);
     if (status == RL_OK)
-        status = add(r, "clipped", rl_exact_interval(share), g->error);
+        status = rl_record_add(r, "clipped", rl_exact_interval(share), "1", g->error);
     rl_seeds_clear(&rounded);
     rl_seeds_clear(&clamped);
     return status;

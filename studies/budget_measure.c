@@ -116,21 +116,17 @@ static int measure_arm(struct errors *e, const struct rl_record *r, struct rl_be
     return status;
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, "1", error);
-}
-
 static int add_errors(struct rl_record *r, const struct errors *e, struct rl_error *error)
 {
     struct rl_interval mse = rl_mean_interval(e->mse, e->n, 0.95),
                        bias = rl_mean_interval(e->bias, e->n, 0.95);
     mse.low = fmax(mse.low, 0.0);
-    int status = add(r, "mse", mse, error);
+    int status = rl_record_add(r, "mse", mse, "1", error);
     if (status == RL_OK)
-        status = add(r, "rmse", (struct rl_interval){rl_root(mse.value), rl_root(mse.low), rl_root(mse.high)},
-                     error);
-    return status == RL_OK ? add(r, "bias", bias, error) : status;
+        status = rl_record_add(r, "rmse",
+                               (struct rl_interval){rl_root(mse.value), rl_root(mse.low), rl_root(mse.high)},
+                               "1", error);
+    return status == RL_OK ? rl_record_add(r, "bias", bias, "1", error) : status;
 }
 
 /* Of each seed's own sum, so that what seeds have in common drops out. */
@@ -151,7 +147,7 @@ static int add_shares(struct rl_record *records, const struct errors *e, size_t 
             continue;
         for (size_t k = 0; k < e[i].n; k++)
             share[k] = sum[k] > 0.0 ? e[i].mse[k] / sum[k] : NAN; /* of no error no share */
-        status = add(&records[i], "share", rl_mean_interval(share, e[i].n, 0.95), error);
+        status = rl_record_add(&records[i], "share", rl_mean_interval(share, e[i].n, 0.95), "1", error);
     }
     if (status != RL_OK || all == n)
         return status;
@@ -160,9 +156,10 @@ static int add_shares(struct rl_record *records, const struct errors *e, size_t 
         left[k] = e[all].mse[k] - sum[k];
         part[k] = e[all].mse[k] > 0.0 ? left[k] / e[all].mse[k] : NAN;
     }
-    status = add(&records[all], "interaction", rl_mean_interval(left, e[all].n, 0.95), error);
+    status = rl_record_add(&records[all], "interaction", rl_mean_interval(left, e[all].n, 0.95), "1", error);
     if (status == RL_OK)
-        status = add(&records[all], "interaction_share", rl_mean_interval(part, e[all].n, 0.95), error);
+        status = rl_record_add(&records[all], "interaction_share", rl_mean_interval(part, e[all].n, 0.95),
+                               "1", error);
     return status;
 }
 

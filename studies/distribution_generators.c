@@ -202,11 +202,6 @@ static int draw(double *value, struct model *m, struct rl_settings *settings, ui
     return status;
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, "1", error);
-}
-
 static struct rl_interval root(struct rl_interval x)
 {
     return (struct rl_interval){sqrt(fmax(x.value, 0.0)), sqrt(fmax(x.low, 0.0)), sqrt(fmax(x.high, 0.0))};
@@ -252,7 +247,7 @@ static int add_parts(struct rl_record *r, const struct parts *p, size_t n, const
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
-        status = add(r, row[i].name, row[i].x, error);
+        status = rl_record_add(r, row[i].name, row[i].x, "1", error);
     return status;
 }
 

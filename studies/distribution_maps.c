@@ -123,12 +123,6 @@ static struct rl_interval width_of(const struct tally *t)
     return (struct rl_interval){width_at(t, 0.5), width_at(t, 0.5 - room), width_at(t, 0.5 + room)};
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-               struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
 static int add_fit(struct rl_record *r, const struct tally *t, struct rl_error *error)
 {
     struct rl_chi_square delta = rl_goodness_chi_square(&t->u, RL_DISTRIBUTION_BINS);
@@ -148,9 +142,9 @@ static int add_fit(struct rl_record *r, const struct tally *t, struct rl_error *
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
-        status = add(r, row[i].name, rl_exact_interval(row[i].value), "1", error);
+        status = rl_record_add(r, row[i].name, rl_exact_interval(row[i].value), "1", error);
     if (status == RL_OK)
-        status = add(r, "kolmogorov", rl_goodness_kolmogorov(&t->u, 0.95), "1", error);
+        status = rl_record_add(r, "kolmogorov", rl_goodness_kolmogorov(&t->u, 0.95), "1", error);
     double ratio[RL_DISTRIBUTION_BINS];
     rl_goodness_ratios(ratio, &t->u, RL_DISTRIBUTION_BINS);
     if (status == RL_OK && rl_parameters_match(r->parameters, "keep=1"))
@@ -162,13 +156,14 @@ static int add_moments(struct rl_record *r, const struct tally *t, struct rl_err
 {
     double mean = moments_mean(&t->mean_u), room = 1.96 * moments_error(&t->mean_u);
     double along = moments_mean(&t->normal[0]); /* the mean normal's length is near it: a tilt is small */
-    int status = add(r, "mean_u", (struct rl_interval){mean, mean - room, mean + room}, "1", error);
+    int status = rl_record_add(r, "mean_u", (struct rl_interval){mean, mean - room, mean + room}, "1", error);
     if (status == RL_OK)
-        status = add(r, "mean_tilt", length_of(&t->normal[1], &t->normal[2], 1.0 / along), "rad", error);
+        status =
+            rl_record_add(r, "mean_tilt", length_of(&t->normal[1], &t->normal[2], 1.0 / along), "rad", error);
     if (status == RL_OK)
-        status = add(r, "tilt", length_of(&t->moved[0], &t->moved[1], 1.0 / along), "rad", error);
+        status = rl_record_add(r, "tilt", length_of(&t->moved[0], &t->moved[1], 1.0 / along), "rad", error);
     if (status == RL_OK)
-        status = add(r, "width", width_of(t), "1", error);
+        status = rl_record_add(r, "width", width_of(t), "1", error);
     return status;
 }
 

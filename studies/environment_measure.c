@@ -7,11 +7,6 @@
 #include "studies/environment.h"
 #include "studies/seeds.h"
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, "1", error);
-}
-
 static struct rl_interval root_of(struct rl_interval square)
 {
     return (struct rl_interval){rl_root(square.value), rl_root(square.low), rl_root(square.high)};
@@ -46,10 +41,11 @@ static int add_difference(struct rl_record *r, const struct rl_seeds *s, const s
         status = rl_seeds_split(&split, &difference, NULL, error);
     rl_seeds_clear(&difference);
     if (status == RL_OK)
-        status = add(r, "rmse_map", root_of(rl_mean_interval(mse, s->n, 0.95)), error);
+        status = rl_record_add(r, "rmse_map", root_of(rl_mean_interval(mse, s->n, 0.95)), "1", error);
     return status == RL_OK
-               ? add(r, "floor_map",
-                     root_of((struct rl_interval){split.bias2, split.bias2_low, split.bias2_high}), error)
+               ? rl_record_add(r, "floor_map",
+                               root_of((struct rl_interval){split.bias2, split.bias2_low, split.bias2_high}),
+                               "1", error)
                : status;
 }
 
@@ -59,8 +55,9 @@ static int add_floor(struct rl_record *r, const struct rl_seeds *s, const struct
     struct rl_bias_variance split;
     int status = rl_seeds_split(&split, s, centre, error);
     return status == RL_OK
-               ? add(r, "floor_centre",
-                     root_of((struct rl_interval){split.bias2, split.bias2_low, split.bias2_high}), error)
+               ? rl_record_add(r, "floor_centre",
+                               root_of((struct rl_interval){split.bias2, split.bias2_low, split.bias2_high}),
+                               "1", error)
                : status;
 }
 
@@ -119,10 +116,11 @@ static int add_parallax(struct rl_record *r, struct rl_bench *bench, const struc
     /* Each of both may be off by the tolerance. */
     double t = 2.0 * rl_parameter_number(r->parameters, "tolerance");
     if (status == RL_OK)
-        status = add(r, "parallax", (struct rl_interval){m.rmse, fmax(0.0, m.rmse - t), m.rmse + t}, error);
+        status = rl_record_add(r, "parallax", (struct rl_interval){m.rmse, fmax(0.0, m.rmse - t), m.rmse + t},
+                               "1", error);
     const struct rl_object *object = &scene->object[rl_environment_object(scene)];
     double size = object->radius / v3_length(v3_sub(scene->light[0].centre, object->centre));
-    return status == RL_OK ? add(r, "size", rl_exact_interval(size), error) : status;
+    return status == RL_OK ? rl_record_add(r, "size", rl_exact_interval(size), "1", error) : status;
 }
 
 static int measure_parallax(struct rl_record *records, size_t n, struct rl_bench *bench,

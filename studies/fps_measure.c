@@ -106,18 +106,6 @@ static void clear(struct subject *s)
     rl_fps_scene_free(&s->made);
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-               struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
-static int add_number(struct rl_record *r, const char *name, double x, const char *unit,
-                      struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x, x, x, unit, error);
-}
-
 static double paper_fps(const struct rl_record *r)
 {
     static const struct {
@@ -141,23 +129,24 @@ static int add_times(struct rl_record *records, size_t n, const struct rl_timing
     struct rl_interval fps = {1000.0 / ms.value, 1000.0 / ms.high, 1000.0 / ms.low};
     double half = fmax(ms.high - ms.value, ms.value - ms.low) / ms.value;
     long baseline = rl_fps_arm(records, n, r, "none"), random = rl_fps_arm(records, n, r, "random-4");
-    int status = add(r, "frame_ms", ms, "ms", error);
+    int status = rl_record_add(r, "frame_ms", ms, "ms", error);
     if (status == RL_OK)
-        status = add(r, "fps", fps, "1/s", error);
+        status = rl_record_add(r, "fps", fps, "1/s", error);
     if (status == RL_OK)
-        status = add_number(r, "frames", (double)t->n_rounds, "1", error);
+        status = rl_record_add(r, "frames", rl_exact_interval((double)t->n_rounds), "1", error);
     if (status == RL_OK)
-        status = add_number(r, "time_precision", half, "1", error);
+        status = rl_record_add(r, "time_precision", rl_exact_interval(half), "1", error);
     if (status == RL_OK)
-        status = add_number(r, "time_precise", half <= precision_wanted, "1", error);
+        status = rl_record_add(r, "time_precise", rl_exact_interval(half <= precision_wanted), "1", error);
     if (status == RL_OK && baseline >= 0)
-        status = add(r, "above_baseline_ms",
-                     rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms", error);
+        status =
+            rl_record_add(r, "above_baseline_ms",
+                          rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms", error);
     if (status == RL_OK && random >= 0)
-        status = add(r, "time_to_random4", rl_ratio_interval(t->ms[i], t->ms[random], t->n_rounds, 0.95), "1",
-                     error);
+        status = rl_record_add(r, "time_to_random4",
+                               rl_ratio_interval(t->ms[i], t->ms[random], t->n_rounds, 0.95), "1", error);
     if (status == RL_OK && !isnan(paper_fps(r)))
-        status = add_number(r, "paper_fps", paper_fps(r), "1/s", error);
+        status = rl_record_add(r, "paper_fps", rl_exact_interval(paper_fps(r)), "1/s", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;
 }
 
@@ -172,7 +161,7 @@ static int add_drawn(struct rl_record *r, const struct subject *s, struct rl_err
     for (size_t i = 0; i < (size_t)drawn.width * (size_t)drawn.height; i++)
         sum += drawn.data[i];
     rl_image_clear(&drawn);
-    return add_number(r, "drawn_px", sum, "px", error);
+    return rl_record_add(r, "drawn_px", rl_exact_interval(sum), "px", error);
 }
 
 /* How much there was to do. */
@@ -180,12 +169,15 @@ static int add_work(struct rl_record *r, const struct subject *s, struct rl_erro
 {
     int status = RL_OK;
     if (on_cpu(r)) {
-        status = add_number(r, "texel_normals", (double)s->texel_normals, "1", error);
-        return status == RL_OK ? add_number(r, "drawn_px", (double)s->foreground, "px", error) : status;
+        status = rl_record_add(r, "texel_normals", rl_exact_interval((double)s->texel_normals), "1", error);
+        return status == RL_OK
+                   ? rl_record_add(r, "drawn_px", rl_exact_interval((double)s->foreground), "px", error)
+                   : status;
     }
-    status = add_number(r, "env_maps", (double)s->set->plan.n_environments, "1", error);
+    status = rl_record_add(r, "env_maps", rl_exact_interval((double)s->set->plan.n_environments), "1", error);
     if (status == RL_OK)
-        status = add_number(r, "normal_maps", (double)s->set->plan.n_normal_maps, "1", error);
+        status = rl_record_add(r, "normal_maps", rl_exact_interval((double)s->set->plan.n_normal_maps), "1",
+                               error);
     bool sampled = rl_parameters_match(r->parameters, "method=random") ||
                    rl_parameters_match(r->parameters, "method=regular");
     bool frame = !rl_parameters_match(r->parameters, "arm=environment") &&

@@ -14,12 +14,6 @@ enum { POINTS_MAX = 65536, SAMPLES_MAX = 65536, CORNERS = 4 };
 
 static const double step_of_8_bits = 1.0 / 255.0;
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-               struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
 /* The i-th of n points spread evenly over the sphere: a golden-angle spiral, each point for the same area. */
 static rl_vec3 sphere_point(size_t i, size_t n)
 {
@@ -136,17 +130,17 @@ static int add_lobe(struct rl_record *r, const struct lobe *lobe, struct rl_erro
     /* A share of n points: Wilson 1927, which keeps within [0, 1]. */
     double p = half / n, z = 1.96, middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
     double room = z / (1.0 + z * z / n) * sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-    int status = add(r, "width", rl_mean_interval(lobe->median, lobe->n, 0.95), "1", error);
+    int status = rl_record_add(r, "width", rl_mean_interval(lobe->median, lobe->n, 0.95), "1", error);
     if (status == RL_OK)
-        status = add(r, "width90", rl_mean_interval(lobe->q90, lobe->n, 0.95), "1", error);
+        status = rl_record_add(r, "width90", rl_mean_interval(lobe->q90, lobe->n, 0.95), "1", error);
     if (status == RL_OK)
-        status =
-            add(r, "against_formula",
-                (struct rl_interval){exp(against.value), exp(against.low), exp(against.high)}, "1", error);
+        status = rl_record_add(r, "against_formula",
+                               (struct rl_interval){exp(against.value), exp(against.low), exp(against.high)},
+                               "1", error);
     if (status == RL_OK)
-        status = add(r, "worst", rl_exact_interval(worst), "1", error);
+        status = rl_record_add(r, "worst", rl_exact_interval(worst), "1", error);
     if (status == RL_OK)
-        status = add(r, "half", (struct rl_interval){p, middle - room, middle + room}, "1", error);
+        status = rl_record_add(r, "half", (struct rl_interval){p, middle - room, middle + room}, "1", error);
     return status;
 }
 
@@ -268,7 +262,7 @@ static int add_highlights(struct rl_record *r, const double *profile, const doub
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
-        status = add(r, row[i].name, row[i].x, "1", error);
+        status = rl_record_add(r, row[i].name, row[i].x, "1", error);
     return status == RL_OK ? rl_record_series_add(r, "profile", profile, 2 * n, error) : status;
 }
 
@@ -344,15 +338,16 @@ static int measure_scene(struct rl_record *r, struct rl_bench *bench, const stru
     /* Each reference is within the tolerance everywhere. */
     double room = 2.0 * rl_parameter_number(r->parameters, "tolerance");
     if (status == RL_OK)
-        status =
-            add(r, "rmse", (struct rl_interval){m.rmse, fmax(m.rmse - room, 0.0), m.rmse + room}, "1", error);
+        status = rl_record_add(
+            r, "rmse", (struct rl_interval){m.rmse, fmax(m.rmse - room, 0.0), m.rmse + room}, "1", error);
+    if (status == RL_OK)
+        status = rl_record_add(r, "max", (struct rl_interval){m.max, fmax(m.max - room, 0.0), m.max + room},
+                               "1", error);
     if (status == RL_OK)
         status =
-            add(r, "max", (struct rl_interval){m.max, fmax(m.max - room, 0.0), m.max + room}, "1", error);
+            rl_record_add(r, "mean", (struct rl_interval){m.bias, m.bias - room, m.bias + room}, "1", error);
     if (status == RL_OK)
-        status = add(r, "mean", (struct rl_interval){m.bias, m.bias - room, m.bias + room}, "1", error);
-    if (status == RL_OK)
-        status = add(r, "moved", rl_exact_interval(share), "1", error);
+        status = rl_record_add(r, "moved", rl_exact_interval(share), "1", error);
     return status;
 }
 

@@ -18,25 +18,19 @@ static size_t find(const struct rl_record *records, size_t n, const char *patter
     return pattern ? i : n;
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-               struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
 /* One arm's own figures. How precise the median is depends on the clock, as it does: time_precision, time_capped. */
 static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, double precision,
                    struct rl_error *error)
 {
     struct rl_interval ms = rl_median_interval(t->ms[i], t->n_rounds, 0.95);
     double reached = fmax(ms.high - ms.value, ms.value - ms.low) / ms.value;
-    int status = add(r, "frame_ms", ms, "ms", error);
+    int status = rl_record_add(r, "frame_ms", ms, "ms", error);
     if (status == RL_OK)
-        status = add(r, "frames", rl_exact_interval((double)t->n_rounds), "1", error);
+        status = rl_record_add(r, "frames", rl_exact_interval((double)t->n_rounds), "1", error);
     if (status == RL_OK)
-        status = add(r, "time_precision", rl_exact_interval(reached), "1", error);
+        status = rl_record_add(r, "time_precision", rl_exact_interval(reached), "1", error);
     if (status == RL_OK)
-        status = add(r, "time_capped", rl_exact_interval(reached > precision), "1", error);
+        status = rl_record_add(r, "time_capped", rl_exact_interval(reached > precision), "1", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;
 }
 
@@ -48,14 +42,17 @@ static int add_figures(struct rl_record *records, size_t n, const struct rl_timi
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = add_own(&records[i], t, i, precision, error);
         if (status == RL_OK && baseline < n)
-            status = add(&records[i], "above_baseline_ms",
-                         rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms", error);
+            status = rl_record_add(&records[i], "above_baseline_ms",
+                                   rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms",
+                                   error);
         if (status == RL_OK && against < n)
-            status = add(&records[i], options->ratio,
-                         rl_ratio_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "1", error);
+            status =
+                rl_record_add(&records[i], options->ratio,
+                              rl_ratio_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "1", error);
         if (status == RL_OK && against < n && options->difference)
-            status = add(&records[i], options->difference,
-                         rl_difference_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "ms", error);
+            status = rl_record_add(&records[i], options->difference,
+                                   rl_difference_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "ms",
+                                   error);
     }
     return status;
 }

@@ -159,6 +159,12 @@ int rl_record_metric_add(struct rl_record *record, const char *name, double valu
     return RL_OK;
 }
 
+int rl_record_add(struct rl_record *record, const char *name, struct rl_interval x, const char *unit,
+                  struct rl_error *error)
+{
+    return rl_record_metric_add(record, name, x.value, x.low, x.high, unit, error);
+}
+
 int rl_record_series_add(struct rl_record *record, const char *name, const double *value, size_t n,
                          struct rl_error *error)
 {

@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "measure/statistics.h"
 #include "results/provenance.h"
 
 enum { RL_NAME_MAX = 64, RL_PARAMETERS_MAX = 384, RL_SCENE_PATH_MAX = 512, RL_GRID_MAX = 512 };
@@ -103,6 +104,9 @@ double rl_parameter_number(const char *parameters, const char *key);
 
 int rl_record_metric_add(struct rl_record *record, const char *name, double value, double low, double high,
                          const char *unit, struct rl_error *error);
+/* The same, value and interval in one. */
+int rl_record_add(struct rl_record *record, const char *name, struct rl_interval x, const char *unit,
+                  struct rl_error *error);
 /* Copies n values. */
 int rl_record_series_add(struct rl_record *record, const char *name, const double *value, size_t n,
                          struct rl_error *error);
