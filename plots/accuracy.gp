@@ -14,9 +14,6 @@ if (figure eq "quad" || figure eq "star") {
     names = "reference cubature montecarlo vegas cubature-uv"
     title_of(name) = name eq "cubature-uv" ? "cubature over (U, V)" : name eq "cubature" ? "cubature over area" : name eq "vegas" ? "VEGAS (GSL)" : name
     row(name) = strcol("light") eq figure && strcol("integrator") eq name
-    # Below this, double precision has nothing to say: an error of 0 has no place on a logarithmic axis.
-    rounding = 1e-16
-    above(x) = x > rounding ? x : rounding
     stats data using (strcol("light") eq figure ? column("time_us_high") : NaN) name "HIGH" nooutput
     stats data using (strcol("light") eq figure ? column("time_us_low") : NaN) name "LOW" nooutput
     if (!exists("HIGH_max")) { exit status 3 }
@@ -26,20 +23,22 @@ if (figure eq "quad" || figure eq "star") {
     set ylabel "true error that 9 points in 10 stay below"
     set format xy "10^{%L}"
     set xrange [10 ** floor(log10(LOW_min)):10 ** ceil(log10(HIGH_max))]
-    set yrange [rounding / 3:3]
+    # Below the edge, double precision has nothing to say.
+    set yrange [edge_of(1e-16, 3):3]
     set ytics 100
-    bottom = rounding / 3
     if (figure eq "quad") {
-        set arrow 1 from 20, bottom to 20, 3 nohead linestyle 90
+        set arrow 1 from 20, edge to 20, 3 nohead linestyle 90
         set label 1 "20 us, the bar at a tolerance of 10^{-6}" at 22, 4e-15 left textcolor rgb "#6a7076" font ",12"
     }
     # Tolerances beside the marks, where those are apart.
     labelled(name) = row(name) && (name eq "cubature" && column("tolerance") < 5e-5 || name eq "montecarlo" && column("tolerance") < 0.02)
-    plot for [i = 1:words(names)] data using (row(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))):"time_us_low":"time_us_high":(above(column("true_error"))):(above(column("error_max"))) \
+    took(name) = row(name) ? column("time_us") : NaN
+    plot for [i = 1:words(names)] data using (took(word(names, i))):(standing(column("error_p90"))):"time_us_low":"time_us_high":(ended(column("true_error"))):(ended(column("error_max"))) \
             with xyerrorbars linetype i dashtype 1 linewidth 0.5 pointsize 0.01 notitle, \
-        for [i = 1:words(names)] data using (row(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))) \
+        for [i = 1:words(names)] data using (took(word(names, i))):(sunk(column("error_p90"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(names)] data using (took(word(names, i))):(standing(column("error_p90"))) \
             with linespoints linetype i pointsize 1 title title_of(word(names, i)), \
-        for [i = 1:words(names)] data using (labelled(word(names, i)) ? column("time_us") : NaN):(above(column("error_p90"))):(sprintf("%g", column("tolerance"))) \
+        for [i = 1:words(names)] data using (labelled(word(names, i)) ? column("time_us") : NaN):(standing(column("error_p90"))):(sprintf("%g", column("tolerance"))) \
             with labels offset 0.8, 0.8 left font ",11" textcolor rgb "#57606a" notitle
 }
 

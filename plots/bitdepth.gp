@@ -13,8 +13,6 @@ regular = folder . "/bitdepth_regular.tsv"
 
 step = 1.0 / 255.0
 here(s) = s eq scene
-# An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
-above_zero(x) = x > 1e-12 ? x : 1e-12
 
 # The largest N: bias is the same at each, but known best there.
 stats normals using (here(strcol("scene")) ? column("samples") : NaN) name "N" nooutput
@@ -30,23 +28,26 @@ if (figure ne "time") {
     set xlabel "R_r, roughness: 1 is the roughest, 1000 nearly a mirror"
     set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
     set mxtics 1
-    set xrange [RR_min / 1.15:RR_max * 1.15]
+    set xrange [RR_min / 1.3:RR_max * 1.3]
     set style line 91 linecolor rgb "#c9ced3" linewidth 5 dashtype 1
 }
 
 if (figure eq "normals") {
     set title "Bias from the bits of the normal map: " . scene
     set ylabel "RMS bias (full scale 1)"
-    set yrange [1e-4:0.3]
+    set yrange [edge_of(1e-4, 0.3):0.3]
     set key maxcols 4
     set bmargin 9
     names = "4 5 6 8 10 12 16 half"
     # Not all by colour: more curves than colours.
     type(i) = i <= 7 ? i : 1
+    # Bars side by side, else they cover each other.
+    at(i) = bits(word(names, i)) ? column("rr") * 1.045 ** (i - 4.5) : NaN
     plot normals using (bits("float") ? column("rr") : NaN):(0.1 * column("noise_4")) with lines linestyle 91 title "noise/10", \
-        for [i = 1:words(names)] normals using (bits(word(names, i)) && column("bias_high") > 0 ? column("rr") * 1.015 ** (i - 4) : NaN):(above_zero(column("bias"))):(above_zero(column("bias_low"))):"bias_high" \
+        for [i = 1:words(names)] normals using (at(i)):(standing(column("bias"))):(ended(column("bias_low"))):(ended(column("bias_high"))) \
             with yerrorbars linetype type(i) dashtype 1 pointtype i + 3 pointsize 0.9 notitle, \
-        for [i = 1:words(names)] normals using (bits(word(names, i)) && column("bias_low") > 0 ? column("rr") * 1.015 ** (i - 4) : NaN):"bias" \
+        for [i = 1:words(names)] normals using (at(i)):(sunk(column("bias"))):(0):(fall(0)) with vectors arrowstyle type(i) notitle, \
+        for [i = 1:words(names)] normals using (column("bias_low") > edge ? at(i) : NaN):"bias" \
             with lines linetype type(i) dashtype i notitle, \
         for [i = 1:words(names)] keyentry with linespoints linetype type(i) dashtype i pointtype i + 3 pointsize 0.9 title word(names, i), \
         step with lines linestyle 90 title "1/255"
@@ -55,30 +56,36 @@ if (figure eq "normals") {
 if (figure eq "regular") {
     set title "8 and 10 bits for random normals and for a pattern: " . scene
     set ylabel "RMS (full scale 1)"
-    set yrange [1e-4:0.3]
+    set yrange [edge_of(1e-4, 0.3):0.3]
+    random(b, aside) = bits(b) ? column("rr") * aside : NaN
     pattern(b) = here(strcol("scene")) && strcol("normal_bits") eq b
     plot normals using (bits("float") ? column("rr") : NaN):(0.1 * column("noise_4")) with lines linestyle 91 title "noise/10", \
-        regular using (pattern("8") ? column("rr") : NaN):"change" with linespoints linetype 2 dashtype 1 title "regular 13, 8 bits", \
-        normals using (bits("8") && column("bias_high") > 0 ? column("rr") : NaN):(above_zero(column("bias"))):(above_zero(column("bias_low"))):"bias_high" \
+        regular using (pattern("8") ? column("rr") : NaN):(standing(column("change"))) with linespoints linetype 2 dashtype 1 title "regular 13, 8 bits", \
+        normals using (random("8", 0.98)):(standing(column("bias"))):(ended(column("bias_low"))):(ended(column("bias_high"))) \
             with yerrorlines linetype 1 dashtype 1 title "random, 8 bits", \
-        regular using (pattern("10") ? column("rr") : NaN):"change" with linespoints linetype 6 dashtype 2 title "regular 13, 10 bits", \
-        normals using (bits("10") && column("bias_high") > 0 ? column("rr") : NaN):(above_zero(column("bias"))):(above_zero(column("bias_low"))):"bias_high" \
+        normals using (random("8", 0.98)):(sunk(column("bias"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
+        regular using (pattern("10") ? column("rr") : NaN):(standing(column("change"))) with linespoints linetype 6 dashtype 2 title "regular 13, 10 bits", \
+        normals using (random("10", 1.02)):(standing(column("bias"))):(ended(column("bias_low"))):(ended(column("bias_high"))) \
             with yerrorlines linetype 7 dashtype 2 title "random, 10 bits", \
+        normals using (random("10", 1.02)):(sunk(column("bias"))):(0):(fall(0)) with vectors arrowstyle 7 notitle, \
         step with lines linestyle 90 title "1/255"
 }
 
 if (figure eq "formats") {
     set title "Formats of environment map and frame buffer: " . scene
     set ylabel "RMS change (full scale 1)"
-    set yrange [1e-7:0.02]
+    set yrange [edge_of(1e-7, 0.02):0.02]
     set bmargin 10.5
     names = "rgba8 rgb10a2 r11g11b10f rgba16 rgba16f"
-    one(f, name) = here(strcol("scene")) && f eq name && column("change") > 0
+    # Side by side where several change nothing.
+    one(f, i) = here(strcol("scene")) && f eq word(names, i) ? column("rr") * 1.02 ** (i - 3) : NaN
     plot normals using (bits("float") ? column("rr") : NaN):(0.1 * column("noise_4")) with lines linestyle 91 title "noise/10", \
-        for [i = 1:words(names)] folder . "/bitdepth_environment.tsv" using (one(strcol("env_format"), word(names, i)) ? column("rr") : NaN):"change" \
+        for [i = 1:words(names)] folder . "/bitdepth_environment.tsv" using (one(strcol("env_format"), i)):(standing(column("change"))) \
             with linespoints linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 notitle, \
-        for [i = 1:words(names)] folder . "/bitdepth_frame.tsv" using (one(strcol("frame_format"), word(names, i)) ? column("rr") : NaN):"change" \
+        for [i = 1:words(names)] folder . "/bitdepth_environment.tsv" using (one(strcol("env_format"), i)):(sunk(column("change"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(names)] folder . "/bitdepth_frame.tsv" using (one(strcol("frame_format"), i)):(standing(column("change"))) \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 notitle, \
+        for [i = 1:words(names)] folder . "/bitdepth_frame.tsv" using (one(strcol("frame_format"), i)):(sunk(column("change"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
         for [i = 1:words(names)] keyentry with linespoints linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title word(names, i), \
         keyentry with lines linetype 4 dashtype 2 title "dashed: frame buffer", \
         step with lines linestyle 90 title "1/255"

@@ -15,7 +15,6 @@ place(arm) = arm eq "base" ? 0 : arm eq "bits" ? 1 : arm eq "format" ? 2 : arm e
     : arm eq "normals" ? 5 : arm eq "frame" ? 6 : arm eq "parallax" ? 7 : arm eq "sampling" ? 8 : 10
 step = 1.0 / 255.0
 lowest = 1e-6
-above(x) = x > lowest ? x : lowest
 stats data using (strcol("scene") eq scene && column("rmse") > 0 ? column("rmse") : NaN) name "RMSE" nooutput
 if (!exists("RMSE_max")) { exit status 3 }
 stats data using (strcol("scene") eq scene ? note_central(column("rr")) : NaN) nooutput
@@ -26,7 +25,7 @@ if (figure eq "sources") {
     set xlabel "RMSE of linear radiance (full scale 1)"
     set logscale x
     set format x "10^{%L}"
-    set xrange [lowest:2 * RMSE_max]
+    set xrange [edge_of(lowest, 2 * RMSE_max):2 * RMSE_max]
     set yrange [-0.7:10.7]
     set lmargin 20
     set rmargin 10
@@ -43,11 +42,12 @@ if (figure eq "sources") {
     set label 2 "1/255" at step, 10.6 center textcolor rgb "#6a7076" font ",12"
     set arrow 1 from step, -0.7 to step, 10.3 nohead linestyle 90
     set object 1 rectangle from lowest, 8.7 to sqrt(total), 9.3 fillcolor rgb "#9aa0a6" fillstyle solid 0.85 noborder
-    plot data using (lowest):(here(strcol("arm"))):(lowest):(above(column("rmse"))):(here(strcol("arm")) - 0.3):(here(strcol("arm")) + 0.3) \
+    plot data using (lowest):(here(strcol("arm"))):(lowest):(ended(column("rmse"))):(here(strcol("arm")) - 0.3):(here(strcol("arm")) + 0.3) \
             with boxxyerror linecolor rgb "#0072b2" title "RMSE alone", \
-        data using (above(column("rmse"))):(here(strcol("arm"))):(above(column("rmse_low"))):(above(column("rmse_high"))) \
+        data using (standing(column("rmse"))):(here(strcol("arm"))):(ended(column("rmse_low"))):(ended(column("rmse_high"))) \
             with xerrorbars linetype 2 dashtype 1 pointsize 0.4 title "95 % interval over seeds", \
-        data using (above(column("rmse_high")) * 1.15):(here(strcol("arm"))):(sprintf(column("rmse") > lowest ? "%.2g" : "< 1e-6", column("rmse"))) \
+        data using (sunk(column("rmse"))):(here(strcol("arm"))):(fall(0)):(0) with vectors arrowstyle 2 notitle, \
+        data using (standing(column("rmse_high")) * 1.15):(here(strcol("arm"))):(sprintf(column("rmse") > lowest ? "%.2g" : "< 1e-6", column("rmse"))) \
             with labels left font ",12" notitle
 }
 
@@ -60,10 +60,11 @@ if (figure eq "smoother") {
     set logscale xy
     set format y "10^{%L}"
     set key maxcols 4
-    set yrange [lowest / 1.5:2 * RMSE_max]
+    set yrange [edge_of(lowest, 2 * RMSE_max):2 * RMSE_max]
     set xrange [RR_min / 1.5:RR_max * 1.5]
     of(s, a, i) = s eq scene && a eq word(names, i) ? column("rr") : NaN
-    plot for [i = 2:words(names)] data using (of(strcol("scene"), strcol("arm"), i)):(above(column("rmse"))):(above(column("rmse_low"))):(above(column("rmse_high"))) \
+    plot for [i = 2:words(names)] data using (of(strcol("scene"), strcol("arm"), i)):(standing(column("rmse"))):(ended(column("rmse_low"))):(ended(column("rmse_high"))) \
             with yerrorlines linetype i - 1 pointtype i + 3 pointsize 0.9 title word(names, i), \
+        for [i = 2:words(names)] data using (of(strcol("scene"), strcol("arm"), i)):(sunk(column("rmse"))):(0):(fall(0)) with vectors arrowstyle i - 1 notitle, \
         step with lines linestyle 90 title "1/255"
 }

@@ -20,7 +20,6 @@ note(s) = (strstrt(" " . formats, " " . s . " ") == 0 ? formats = formats . s . 
 stats data using (column("normal_size_px") == SIZE_max ? note(strcol("normal_bits")) : NaN) nooutput
 name(s) = s eq "half" || s eq "float" ? s : s . " bits"
 at(format) = column("normal_size_px") == SIZE_max && strcol("normal_bits") eq format ? column("rr") : NaN
-above_zero(x) = x > 1e-12 ? x : 1e-12
 map = sprintf(", maps of %g × %g", SIZE_max, SIZE_max)
 
 # More formats than the style has line types.
@@ -63,12 +62,13 @@ if (figure eq "tilt") {
     set logscale xy
     set format y "10^{%L}"
     set xrange [0.8:1300]
-    set yrange [1e-8:1e-2]
+    set yrange [edge_of(1e-8, 1e-2):1e-2]
     set ylabel "angle in radians"
     # Floats are turned by less than the frame shows.
     stored = formats[:strstrt(formats, "float") - 1]
-    plot for [i = 1:words(stored)] data using (aside(i, at(word(stored, i)))):"tilt_rad":(above_zero(column("tilt_rad_low"))):"tilt_rad_high" \
+    plot for [i = 1:words(stored)] data using (aside(i, at(word(stored, i)))):(standing(column("tilt_rad"))):(ended(column("tilt_rad_low"))):(ended(column("tilt_rad_high"))) \
             with yerrorlines linetype i pointsize 0.9 title name(word(stored, i)), \
+        for [i = 1:words(stored)] data using (aside(i, at(word(stored, i)))):(sunk(column("tilt_rad"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
         data using (at("float")):"mean_tilt_rad" with lines linestyle 90 title "chance of the numbers"
 }
 
@@ -112,17 +112,18 @@ if (figure eq "generators") {
     set xrange [0.8:1.5 * N_max]
     set xtics (1, 4, 16, 64, 256)
     set mxtics 1
-    set yrange [1e-4:1]
+    set yrange [edge_of(1e-4, 1):1]
     set format y "10^{%L}"
     set key maxcols 3
-    here(generator, bits, metric) = strcol("generator") eq generator && strcol("normal_bits") eq bits && column(metric) > 0 ? column("samples") : NaN
+    here(generator, bits) = strcol("generator") eq generator && strcol("normal_bits") eq bits ? column("samples") : NaN
     arms = "lcg:float baked:8 baked:float hash:float"
     titles = "'restarted generator' 'map, 8 bits' 'map, float' 'hash'"
     generator(i) = word(arms, i)[:strstrt(word(arms, i), ":") - 1]
     bits(i) = word(arms, i)[strstrt(word(arms, i), ":") + 1:]
-    plot for [i = 1:4] data using (aside(2 * i, here(generator(i), bits(i), "floor"))):"floor":(above_zero(column("floor_low"))):"floor_high" \
+    plot for [i = 1:4] data using (aside(2 * i, here(generator(i), bits(i)))):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
             with yerrorbars linetype i dashtype 1 pointtype 2 * i + 3 pointsize 1.1 title "bias, " . word(titles, i), \
-        for [i = 2:4] data using (aside(2 * i, here(generator(i), bits(i), "noise"))):"noise" \
+        for [i = 1:4] data using (aside(2 * i, here(generator(i), bits(i)))):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 2:4] data using (aside(2 * i, here(generator(i), bits(i)))):(standing(column("noise"))) \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 1.1 title "noise, " . word(titles, i), \
         1.0 / 255.0 with lines linestyle 90 title "1/255"
 }

@@ -14,8 +14,6 @@ stats data using (strcol("scene") eq scene && strcol("series") eq figure ? note_
 at = sprintf("%s, R_r %g", scene, central)
 row(s) = strcol("scene") eq scene && strcol("series") eq s && column("rr") == central
 step = 1.0 / 255.0
-lowest = 1e-6
-above(x) = x > lowest ? x : lowest
 
 if (figure eq "size") {
     set bmargin 10.5
@@ -29,16 +27,17 @@ if (figure eq "size") {
     set format y "10^{%L}"
     set xtics (8, 16, 32, 64, 128, 256, 512, 1024, 2048)
     set xrange [SIZE_min / 1.3:SIZE_max * 1.3]
-    set yrange [1e-4:3 * RMSE_max]
+    set yrange [edge_of(1e-4, 3 * RMSE_max):3 * RMSE_max]
     set label 1 "1/255" at graph 0.01, first step * 1.15 left textcolor rgb "#6a7076" font ",12"
-    floor_of(x) = x > 1e-4 ? x : 1e-4
-    # Only where the value can be told from zero does a mark say something.
-    plot data using (row("size") ? column("env_size_px") : NaN):"rmse_map":(floor_of(column("rmse_map_low"))):"rmse_map_high" \
+    sized(aside) = row("size") ? column("env_size_px") * aside : NaN
+    plot data using (sized(1)):(standing(column("rmse_map"))):(ended(column("rmse_map_low"))):(ended(column("rmse_map_high"))) \
             with yerrorlines linetype 1 pointsize 0.9 title "against the largest map", \
-        data using (row("size") && column("floor_map") > 1e-4 ? column("env_size_px") : NaN):(floor_of(column("floor_map"))):(floor_of(column("floor_map_low"))):"floor_map_high" \
+        data using (sized(1 / 1.06)):(standing(column("floor_map"))):(ended(column("floor_map_low"))):(ended(column("floor_map_high"))) \
             with yerrorlines linetype 2 pointsize 0.9 title "noise taken out", \
-        data using (row("size") && column("floor_centre") > 1e-4 ? column("env_size_px") * 1.06 : NaN):(floor_of(column("floor_centre"))):(floor_of(column("floor_centre_low"))):"floor_centre_high" \
+        data using (sized(1 / 1.06)):(sunk(column("floor_map"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
+        data using (sized(1.06)):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorbars linetype 3 pointsize 0.9 title "against the reference", \
+        data using (sized(1.06)):(sunk(column("floor_centre"))):(0):(fall(0)) with vectors arrowstyle 3 notitle, \
         RMSE_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1", \
         step with lines linestyle 90 notitle
 }
@@ -52,8 +51,7 @@ if (figure eq "format") {
     set xlabel "RMSE of linear radiance against 32-bit floats (full scale 1)"
     set logscale x
     set format x "10^{%L}"
-    low = 1e-8
-    at_least(x) = x > low ? x : low
+    low = edge_of(1e-8, 1e-2)
     set xrange [low:1e-2]
     set yrange [-0.7:4.9]
     set lmargin 16
@@ -65,11 +63,12 @@ if (figure eq "format") {
     set arrow 1 from step, -0.7 to step, 4.6 nohead linestyle 90
     set style fill solid 0.85
     here(f) = row("format") && column("base") == 0 ? place(f) : NaN
-    plot data using (low):(here(strcol("env_format"))):(low):(at_least(column("rmse_map"))):(here(strcol("env_format")) - 0.3):(here(strcol("env_format")) + 0.3) \
+    plot data using (low):(here(strcol("env_format"))):(low):(ended(column("rmse_map"))):(here(strcol("env_format")) - 0.3):(here(strcol("env_format")) + 0.3) \
             with boxxyerror linecolor rgb "#0072b2" title "RMSE", \
-        data using (at_least(column("rmse_map"))):(here(strcol("env_format"))):(at_least(column("rmse_map_low"))):(at_least(column("rmse_map_high"))) \
+        data using (standing(column("rmse_map"))):(here(strcol("env_format"))):(ended(column("rmse_map_low"))):(ended(column("rmse_map_high"))) \
             with xerrorbars linetype 2 dashtype 1 pointsize 0.4 title "95 % interval over seeds", \
-        data using (at_least(column("rmse_map_high")) * 1.15):(here(strcol("env_format"))):(column("rmse_map") > low ? sprintf("%.2g", column("rmse_map")) : column("rmse_map") > 0 ? "< 1e-8" : "0") \
+        data using (sunk(column("rmse_map"))):(here(strcol("env_format"))):(fall(0)):(0) with vectors arrowstyle 2 notitle, \
+        data using (standing(column("rmse_map_high")) * 1.15):(here(strcol("env_format"))):(column("rmse_map") > low ? sprintf("%.2g", column("rmse_map")) : column("rmse_map") > 0 ? "< 1e-8" : "0") \
             with labels left font ",12" notitle
 }
 
@@ -85,9 +84,9 @@ if (figure eq "parallax") {
     set format y "10^{%L}"
     set xtics (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1)
     set xrange [SIZE_min / 1.4:SIZE_max * 1.4]
-    set yrange [P_min / 3:P_max * 3]
+    set yrange [edge_of(P_min / 3, P_max * 3):P_max * 3]
     set label 1 "1/255" at graph 0.01, first step * 1.1 left textcolor rgb "#6a7076" font ",12"
-    plot data using (row("parallax") ? column("size") : NaN):"parallax":(above(column("parallax_low"))):"parallax_high" \
+    plot data using (row("parallax") ? column("size") : NaN):(standing(column("parallax"))):(ended(column("parallax_low"))):(ended(column("parallax_high"))) \
             with yerrorlines linetype 1 pointsize 1 title "reference from the centre against from each point", \
         P_min * x / SIZE_min with lines linestyle 90 dashtype 3 title "slope 1", \
         step with lines linestyle 90 notitle

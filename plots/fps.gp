@@ -54,8 +54,6 @@ models = folder . "/fps_models.tsv"
 is(series, arm) = strcol("scene") eq scene && strcol("series") eq series && strcol("arm") eq arm
 is_method(series, method) = strcol("scene") eq scene && strcol("series") eq series && strcol("method") eq method
 is_model(name) = strcol("scene") eq scene && strcol("model") eq name
-# An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
-above_zero(x) = x > 1e-9 ? x : 1e-9
 
 # A model that could not be fitted has no line: its coefficients stay NaN.
 array A[2] = [NaN, NaN]
@@ -86,11 +84,19 @@ if (figure eq "scaling") {
     stats rows using (is_method("size", "random") || is_method("size", "regular") ? work(0) : NaN) name "X" nooutput
     if (!exists("X_max")) { exit status 3 }
     set xrange [X_min / 1.6:X_max * 1.6]
-    plot rows using (is_method("size", "random") ? work(0) / 1.04 : NaN):(above_zero(column("above_baseline_ms"))):(above_zero(column("above_baseline_ms_low"))):"above_baseline_ms_high" \
+    above(metric) = (is_method("size", "random") || is_method("size", "regular")) && column(metric) > 0 ? column(metric) : NaN
+    stats rows using (above("above_baseline_ms")) name "LOW" nooutput
+    stats rows using (above("above_baseline_ms_high")) name "HIGH" nooutput
+    if (!exists("LOW_min")) { exit status 3 }
+    set yrange [edge_of(10 ** floor(log10(LOW_min)), 10 ** ceil(log10(HIGH_max))):10 ** ceil(log10(HIGH_max))]
+    place(method, aside) = is_method("size", method) ? aside * work(0) : NaN
+    plot rows using (place("random", 1 / 1.04)):(standing(column("above_baseline_ms"))):(ended(column("above_baseline_ms_low"))):(ended(column("above_baseline_ms_high"))) \
             with yerrorbars linetype 1 pointsize 1.1 title "random, 95 % interval", \
+        rows using (place("random", 1 / 1.04)):(sunk(column("above_baseline_ms"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
         line(1, 1e6 * x) with lines linetype 1 title "random, fitted", \
-        rows using (is_method("size", "regular") ? 1.04 * work(0) : NaN):(above_zero(column("above_baseline_ms"))):(above_zero(column("above_baseline_ms_low"))):"above_baseline_ms_high" \
+        rows using (place("regular", 1.04)):(standing(column("above_baseline_ms"))):(ended(column("above_baseline_ms_low"))):(ended(column("above_baseline_ms_high"))) \
             with yerrorbars linetype 2 pointsize 1.1 title "regular, 95 % interval", \
+        rows using (place("regular", 1.04)):(sunk(column("above_baseline_ms"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
         line(2, 1e6 * x) with lines linetype 2 title "regular, fitted"
 }
 
@@ -103,9 +109,9 @@ if (figure eq "environment") {
     if (!exists("X_max")) { exit status 3 }
     set xrange [X_min / 1.2:X_max * 1.2]
     set xtics (16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
-    plot rows using (is("environment", "random-4") ? column("env_size_px") : NaN):"frame_ms":(above_zero(column("frame_ms_low"))):"frame_ms_high" \
+    plot rows using (is("environment", "random-4") ? column("env_size_px") : NaN):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 1 pointsize 1.1 title "frame of random 4", \
-        rows using (is("environment", "environment") ? column("env_size_px") : NaN):"frame_ms":(above_zero(column("frame_ms_low"))):"frame_ms_high" \
+        rows using (is("environment", "environment") ? column("env_size_px") : NaN):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 2 pointsize 1.1 title "drawing the map", \
         line(1, 6 * x * x) with lines linetype 2 title "fitted: a + b x texels"
 }

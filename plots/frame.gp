@@ -83,7 +83,6 @@ if (figure eq "highlight") {
 if (figure eq "scene") {
     data = folder . "/frame_scene.tsv"
     here(x) = strcol("scene") eq scene ? x : NaN
-    above_zero(x) = x > 1e-12 ? x : 1e-12
     set title "The whole picture in the printed frame: " . scene
     set logscale xy
     set xlabel "R_r"
@@ -93,9 +92,13 @@ if (figure eq "scene") {
     set format y "10^{%L}"
     stats data using (here(column("max"))) name "MAX" nooutput
     if (!exists("MAX_max")) { exit status 3 }
-    set yrange [1e-5:10 ** ceil(log10(MAX_max > step ? MAX_max : step))]
-    plot data using (here(column("rr"))):"rmse":(above_zero(column("rmse_low"))):"rmse_high" with yerrorlines linetype 1 pointsize 1 title "RMSE", \
-        data using (here(column("rr"))):"max" with linespoints linetype 2 pointsize 1 title "worst pixel", \
-        data using (here(column("moved") > 0 ? column("rr") : NaN)):"moved" with linespoints linetype 3 pointsize 1 title "share of pixels moved by more than 1/255", \
+    top = 10 ** ceil(log10(MAX_max > step ? MAX_max : step))
+    set yrange [edge_of(1e-5, top):top]
+    plot data using (here(column("rr"))):(standing(column("rmse"))):(ended(column("rmse_low"))):(ended(column("rmse_high"))) with yerrorlines linetype 1 pointsize 1 title "RMSE", \
+        data using (here(column("rr"))):(sunk(column("rmse"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
+        data using (here(column("rr"))):(standing(column("max"))) with linespoints linetype 2 pointsize 1 title "worst pixel", \
+        data using (here(column("rr"))):(sunk(column("max"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
+        data using (here(column("rr"))):(standing(column("moved"))) with linespoints linetype 3 pointsize 1 title "share of pixels moved by more than 1/255", \
+        data using (here(column("rr"))):(sunk(column("moved"))):(0):(fall(0)) with vectors arrowstyle 3 notitle, \
         step with lines linestyle 90 title "1/255"
 }

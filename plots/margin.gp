@@ -35,7 +35,6 @@ at(i) = column("rr") == word(rr_list, i)
 stats data using (fixed(strcol("series"), strcol("arm")) && column("missed") > 0 ? column("missed") : NaN) name "MISSED" nooutput
 if (!exists("MISSED_max")) { exit status 3 }
 lowest = 1e-5
-positive(x) = x > lowest ? x : lowest
 
 if (figure eq "missed") {
     set title "Highlight taken away by the bounding spheres: " . scene . ", random 4"
@@ -43,15 +42,17 @@ if (figure eq "missed") {
     set ylabel "share of the highlight's energy missed"
     set logscale y
     set format y "10^{%L}"
-    set yrange [lowest / 1.5:1]
+    set yrange [edge_of(lowest, 1):1]
     stats data using ((fixed(strcol("series"), strcol("arm")) || is_auto(strcol("arm"))) ? column("margin") : NaN) name "M" nooutput
     set xrange [-0.04 * M_max:1.05 * M_max]
     set label 1 "1 %" at graph 0.995, first 0.0118 right textcolor rgb "#6a7076" font ",12"
-    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))):(positive(column("missed_low"))):(positive(column("missed_high"))) \
+    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))):(ended(column("missed_low"))):(ended(column("missed_high"))) \
             with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))) \
+        for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(sunk(column("missed"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))) \
             with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(positive(column("missed"))):(word(rr_list, i)) \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(sunk(column("missed"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))):(word(rr_list, i)) \
             with labels offset 1.2, 0 left font ",12" notitle, \
         0.01 with lines linestyle 90 notitle
 }
@@ -62,18 +63,20 @@ if (figure eq "trade") {
     set ylabel "frame time over that without the pass"
     set logscale x
     set format x "10^{%L}"
-    set xrange [lowest / 1.5:1]
+    set xrange [edge_of(lowest, 1):1]
     stats data using (strcol("scene") eq scene && column("spheres") > 0 && column("time_to_off") > 0 ? column("time_to_off") : NaN) name "T" nooutput
     if (!exists("T_max")) { exit status 3 }
     set yrange [0:(T_max > 1.1 ? 1.1 * T_max : 1.2)]
     set label 1 "no time saved" at graph 0.005, first 1.02 left textcolor rgb "#6a7076" font ",12"
-    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off":"time_to_off_low":"time_to_off_high" \
+    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? standing(column("missed")) : NaN):"time_to_off":"time_to_off_low":"time_to_off_high" \
             with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off" \
+        for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? sunk(column("missed")) : NaN):"time_to_off":(fall(0)):(0) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? standing(column("missed")) : NaN):"time_to_off" \
             with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? positive(column("missed")) : NaN):"time_to_off":(word(rr_list, i)) \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? sunk(column("missed")) : NaN):"time_to_off":(fall(0)):(0) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? standing(column("missed")) : NaN):"time_to_off":(word(rr_list, i)) \
             with labels offset 1.2, 0 left font ",12" notitle, \
-        data using (fixed(strcol("series"), strcol("arm")) && at(words(rr_list)) && (column("margin") == 0 || column("margin") == 0.5 || column("margin") == 1) ? positive(column("missed")) : NaN):"time_to_off":(sprintf("%g", column("margin"))) \
+        data using (fixed(strcol("series"), strcol("arm")) && at(words(rr_list)) && (column("margin") == 0 || column("margin") == 0.5 || column("margin") == 1) ? standing(column("missed")) : NaN):"time_to_off":(sprintf("%g", column("margin"))) \
             with labels offset 0, -1 font ",11" notitle, \
         1 with lines linestyle 90 notitle
 }
@@ -86,12 +89,15 @@ if (figure eq "bound") {
     set format x "%g"
     set format y "10^{%L}"
     set xrange [0.003:0.4]
-    set yrange [1e-4:0.4]
+    set yrange [edge_of(1e-4, 0.4):0.4]
     set xtics (0.005, 0.01, 0.02, 0.05, 0.1, 0.2)
-    asked(s) = s eq scene && column("spheres") > 0 && column("bound") > 0
-    stats data using (asked(strcol("scene")) ? column("worst_exact") : NaN) name "W" nooutput
+    has_bound(any) = strcol("scene") eq scene && column("spheres") > 0 && column("bound") > 0
+    # Side by side where all lose the same.
+    asked(i) = has_bound(0) && at(i) ? column("bound") * (1 + 0.03 * (i - words(rr_list) / 2.0)) : NaN
+    stats data using (has_bound(0) ? column("worst_exact") : NaN) name "W" nooutput
     if (!exists("W_max")) { exit status 3 }
-    plot for [i = 1:words(rr_list)] data using (asked(strcol("scene")) && at(i) ? column("bound") * (1 + 0.03 * (i - words(rr_list) / 2.0)) : NaN):(column("worst_exact") > 1e-4 ? column("worst_exact") : 1e-4):(column("worst_exact_low") > 1e-4 ? column("worst_exact_low") : 1e-4):"worst_exact_high" \
+    plot for [i = 1:words(rr_list)] data using (asked(i)):(standing(column("worst_exact"))):(ended(column("worst_exact_low"))):(ended(column("worst_exact_high"))) \
             with yerrorbars linetype i pointsize 1.1 title "R_r " . word(rr_list, i), \
+        for [i = 1:words(rr_list)] data using (asked(i)):(sunk(column("worst_exact"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
         x with lines linestyle 90 title "the bound"
 }

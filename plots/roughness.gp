@@ -12,8 +12,6 @@ data = folder . "/roughness.tsv"
 
 step = 1.0 / 255.0
 here(s) = s eq scene
-# An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
-above_zero(x) = x > 1e-12 ? x : 1e-12
 
 # The numbers of normals that were measured with the paper's settings, ascending: the next larger one until there is none.
 next = 0.0
@@ -56,12 +54,12 @@ set xrange [RR_min / 1.15:RR_max * 1.15]
 if (figure eq "error") {
     set title "Error of every method over roughness, the paper's settings: " . scene
     set ylabel "RMSE of linear radiance (full scale 1)"
-    set yrange [decade_low:decade_high]
+    set yrange [edge_of(decade_low, decade_high):decade_high]
     set key maxcols 3
     plot data using (row("paper", "plain", 0) ? column("rr") : NaN):"rmse" with linespoints linetype 4 pointsize 0.9 title "plain", \
         for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):"rmse" \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular " . word(regular, i), \
-        for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):"rmse":(above_zero(column("rmse_low"))):"rmse_high" \
+        for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):"rmse":(ended(column("rmse_low"))):"rmse_high" \
             with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random " . word(random, i), \
         step with lines linestyle 90 title "1/255"
 }
@@ -69,24 +67,26 @@ if (figure eq "error") {
 if (figure eq "split") {
     set title "What the error of random normals is made of: " . scene
     set ylabel "noise and floors (full scale 1)"
-    set yrange [1e-4:decade_high]
+    set yrange [edge_of(1e-4, decade_high):decade_high]
     set bmargin 10.5
     fine = 0
     stats data using (here(strcol("scene")) && strcol("setting") eq "fine" && column("samples") > fine ? fine = column("samples") : NaN) nooutput
-    positive(metric) = column(metric) > 0 ? column("rr") : NaN
-    part(setting, samples, metric) = row(setting, "random", samples) ? positive(metric) : NaN
-    plot data using (row("paper", "random", 4) ? column("rr") : NaN):"noise":(above_zero(column("noise_low"))):"noise_high" \
+    part(setting, samples) = row(setting, "random", samples) ? column("rr") : NaN
+    plot data using (part("paper", 4)):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
             with yerrorlines linetype 1 dashtype 1 pointsize 0.9 title "noise, 4 normals", \
-        data using (row("paper", "random", largest + 0) ? column("rr") : NaN):"noise":(above_zero(column("noise_low"))):"noise_high" \
+        data using (part("paper", largest + 0)):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
             with yerrorlines linetype 7 dashtype 1 pointtype 6 pointsize 0.9 title "noise, " . largest . " normals", \
-        data using (part("paper", largest + 0, "floor")):"floor":(above_zero(column("floor_low"))):"floor_high" \
+        data using (part("paper", largest + 0)):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
             with yerrorlines linetype 2 dashtype 1 pointsize 0.9 title "floor", \
-        data using (row("paper", "random", largest + 0) ? column("rr") : NaN):"parallax" \
+        data using (part("paper", largest + 0)):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
+        data using (part("paper", largest + 0)):"parallax" \
             with lines linetype 4 dashtype 3 title "parallax alone", \
-        data using (part("paper", largest + 0, "floor_centre_high")):(above_zero(column("floor_centre"))):(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+        data using (part("paper", largest + 0)):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorbars linetype 3 dashtype 1 pointsize 1 title "floor − parallax, paper's", \
-        data using (part("fine", fine, "floor_centre_high") * 1.04):(above_zero(column("floor_centre"))):(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+        data using (part("paper", largest + 0)):(sunk(column("floor_centre"))):(0):(fall(0)) with vectors arrowstyle 3 notitle, \
+        data using (part("fine", fine) * 1.06):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorbars linetype 5 dashtype 1 pointsize 1 title "floor − parallax, fine", \
+        data using (part("fine", fine) * 1.06):(sunk(column("floor_centre"))):(0):(fall(0)) with vectors arrowstyle 5 notitle, \
         step with lines linestyle 90 title "1/255"
 }
 

@@ -12,8 +12,6 @@ data = folder . "/samples.tsv"
 
 row(series, setting, method) = strcol("scene") eq scene && strcol("series") eq series && strcol("setting") eq setting \
     && strcol("method") eq method
-# An interval's end of zero has no place on a logarithmic axis: it is drawn to below the frame.
-above_zero(x) = x > 1e-12 ? x : 1e-12
 
 # The values of R_r that were measured, ascending: the next larger one until there is none.
 rr_list = ""
@@ -46,7 +44,7 @@ decade_high = 10 ** ceil(log10(RMSE_max))
 stats data using (row("methods", "paper", "random") && column("rr") == central && column("samples") == 1 ? column("noise") : NaN) name "GUIDE" nooutput
 if (!exists("GUIDE_max")) { GUIDE_max = NaN }
 
-name(s) = s eq "paper" ? "paper's" : "fine"
+name(s) = s eq "paper" ? "paper's" : s
 
 set logscale xy
 set format y "10^{%L}"
@@ -58,11 +56,11 @@ if (figure eq "error") {
     set title "Error against the number of normals, the paper's settings: " . scene
     set ylabel "RMSE of linear radiance (full scale 1)"
     set xrange [0.8:1300]
-    set yrange [decade_low:decade_high]
+    set yrange [edge_of(decade_low, decade_high):decade_high]
     set label 1 "1/255" at 0.85, step * 1.12 left textcolor rgb "#6a7076" font ",12"
     plot for [i = 1:words(rr_list)] data using (row("methods", "paper", "regular") && column("rr") == word(rr_list, i) ? column("samples") : NaN):"rmse" \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.8 title "regular, R_r " . word(rr_list, i), \
-        for [i = 1:words(rr_list)] data using (row("methods", "paper", "random") && column("rr") == word(rr_list, i) ? column("samples") : NaN):"rmse":(above_zero(column("rmse_low"))):"rmse_high" \
+        for [i = 1:words(rr_list)] data using (row("methods", "paper", "random") && column("rr") == word(rr_list, i) ? column("samples") : NaN):"rmse":(ended(column("rmse_low"))):"rmse_high" \
             with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.8 title "random, R_r " . word(rr_list, i), \
         step with lines linestyle 90 notitle, \
         GUIDE_max / sqrt(x) with lines linestyle 90 title "slope −1/2"
@@ -72,17 +70,21 @@ if (figure eq "split") {
     set title "Random normals taken apart: " . scene . at
     set ylabel "noise and floor (full scale 1)"
     set xrange [0.8:1300]
-    set yrange [1e-4:decade_high]
+    set yrange [edge_of(1e-4, decade_high):decade_high]
     set bmargin 10.5
-    part(s, metric) = row("methods", s, "random") && column("rr") == central && column(metric) > 0 ? column("samples") : NaN
-    plot for [i = 1:words(settings)] data using (part(word(settings, i), "noise")):"noise":(above_zero(column("noise_low"))):"noise_high" \
+    part(s) = row("methods", s, "random") && column("rr") == central ? column("samples") : NaN
+    # Bars of both settings side by side, else they cover each other.
+    beside(i) = part(word(settings, i)) * 1.08 ** (i - 1)
+    plot for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
             with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "noise, " . name(word(settings, i)), \
-        for [i = 1:words(settings)] data using (part(word(settings, i), "floor")):"floor":(above_zero(column("floor_low"))):"floor_high" \
+        for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
             with yerrorbars linetype i dashtype 1 pointtype 2 * i + 2 pointsize 0.9 notitle, \
-        for [i = 1:words(settings)] data using (part(word(settings, i), "floor")):"floor" \
+        for [i = 1:words(settings)] data using (part(word(settings, i))):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("floor"))) \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "floor, " . name(word(settings, i)), \
-        for [i = 1:words(settings)] data using (part(word(settings, i), "floor_centre_high")):(above_zero(column("floor_centre"))):(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+        for [i = 1:words(settings)] data using (beside(i)):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorbars linetype i + 2 dashtype 1 pointtype 2 * i + 6 pointsize 0.9 title "floor − parallax, " . name(word(settings, i)), \
+        for [i = 1:words(settings)] data using (beside(i)):(sunk(column("floor_centre"))):(0):(fall(0)) with vectors arrowstyle i + 2 notitle, \
         step with lines linestyle 90 title "1/255", \
         GUIDE_max / sqrt(x) with lines linestyle 90 dashtype 3 title "slope −1/2"
 }
@@ -103,11 +105,14 @@ if (figure eq "floor") {
     if (!exists("FLOOR_max") || !exists("CENTRE_min")) { exit status 3 }
     set xrange [SIZE_min / 1.3:SIZE_max * 1.3]
     low = CENTRE_min < step ? CENTRE_min : step
-    set yrange [10 ** floor(log10(low)):10 ** ceil(log10(FLOOR_max > PARALLAX_max ? FLOOR_max : PARALLAX_max))]
-    plot data using (here(column("env_size_px"))):"floor":(above_zero(column("floor_low"))):"floor_high" \
+    top = 10 ** ceil(log10(FLOOR_max > PARALLAX_max ? FLOOR_max : PARALLAX_max))
+    set yrange [edge_of(10 ** floor(log10(low)), top):top]
+    plot data using (here(column("env_size_px"))):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
             with yerrorlines linetype 1 pointsize 1 title "against the reference", \
-        data using (here(positive(column("floor_centre")) > 0 ? column("env_size_px") : NaN)):"floor_centre":(above_zero(column("floor_centre_low"))):"floor_centre_high" \
+        data using (here(column("env_size_px"))):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
+        data using (here(column("env_size_px"))):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorlines linetype 2 dashtype 1 pointsize 1 title "seen from the object's centre", \
+        data using (here(column("env_size_px"))):(sunk(column("floor_centre"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
         PARALLAX_max with lines linetype 3 dashtype 4 title "parallax alone", \
         step with lines linestyle 90 title "1/255", \
         CENTRE_max * SIZE_min / x with lines linestyle 90 dashtype 3 title "slope −1"
@@ -122,12 +127,13 @@ if (figure eq "time") {
     stats data using (strcol("scene") eq scene && column("frame_ms") > 0 ? column("frame_ms") : NaN) name "MS" nooutput
     if (!exists("MS_min")) { exit status 3 }
     set xrange [MS_min / 1.5:MS_max * 1.8]
-    set yrange [(RMSE_min < step ? RMSE_min : step) / 1.5:RMSE_max * 1.5]
+    low = (RMSE_min < step ? RMSE_min : step) / 1.5
+    set yrange [edge_of(low, RMSE_max * 1.5):RMSE_max * 1.5]
     timed(setting, method) = row("methods", setting, method) && column("rr") == central && column("frame_ms") > 0
     label(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 256 || n == 1024
     plot for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "regular") ? column("frame_ms") : NaN):"rmse" \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular, settings " . name(word(timed_settings, i)), \
-        for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "random") ? column("frame_ms") : NaN):"rmse":"frame_ms_low":"frame_ms_high":(above_zero(column("rmse_low"))):"rmse_high" \
+        for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "random") ? column("frame_ms") : NaN):"rmse":"frame_ms_low":"frame_ms_high":(ended(column("rmse_low"))):"rmse_high" \
             with xyerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random, settings " . name(word(timed_settings, i)), \
         data using (timed("paper", "random") && label(column("samples")) ? column("frame_ms") : NaN):"rmse":(sprintf("%g", column("samples"))) \
             with labels offset 0.9, 0.7 font ",12" textcolor rgb "#0072b2" notitle, \

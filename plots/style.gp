@@ -34,6 +34,17 @@ set datafile separator tab
 set datafile columnheaders
 set datafile missing NaN
 
+# Zero and less have no place on a logarithmic axis. What is at or below its lower end is drawn one way in all figures: bars end at the
+# frame, and marks stand just above it, with an arrow from the mark down to the frame. edge_of() is told the ends of the axis' range
+# and gives the lower one. Plots draw the mark at standing(x), its bar's ends at ended(x), and then
+# using ...:(sunk(x)):(0):(fall(0)) with vectors arrowstyle i, i being the line type; on an axis across (sunk(x)):...:(fall(0)):(0).
+edge_of(low, high) = (edge = low, foot = low * (high / low) ** 0.045, low)
+standing(x) = x <= edge ? foot : x
+ended(x) = x <= edge ? edge : x
+sunk(x) = x <= edge ? foot : NaN
+fall(any) = edge - foot
+do for [i = 1:9] { set style arrow i head filled size screen 0.008, 25 linetype i dashtype 1 linewidth 1 }
+
 # Where single figures are taken: at the R_r nearest to 30, in ratio, of those that `stats ... using (note_central(...))` is shown.
 # Titles name it, since `study run --axis rr=...` may have measured any other.
 central = NaN

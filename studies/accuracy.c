@@ -235,8 +235,8 @@ static const struct rl_table tables[] = {
 
 #define POINT_CAPTION                                                                                        \
     " Each mark is a tolerance: across, the median time of a point with its 95 % interval; up, the "         \
-    "true error that nine points in ten stay below, its bar from the median to the largest, errors below "   \
-    "1e-16 drawn there. Down and left is better."
+    "true error that nine points in ten stay below, its bar from the median to the largest. Down and left "  \
+    "is better." RL_CAPTION_EDGE
 
 static const struct rl_figure figures_alone[] = {
     {"quad",

@@ -185,14 +185,14 @@ static const struct rl_figure figures[] = {
     {"normals", "What the bits of the normal map do to the expected picture: RMS bias of 4 random normals "
                 "against the same random numbers in floats. Thick grey: a tenth of the noise of 4 normals; "
                 "dashed: 1/255. Below both, the bits make almost no difference. Bars: 95 % intervals over "
-                "seeds; one that leaves the frame reaches zero."},
+                "seeds." RL_CAPTION_EDGE},
     {"regular", "8 and 10 bits for random normals and for a fixed pattern of 13, rounded the same way (the "
                 "shaders get the pattern as floats: this is what a texture would do to it). Random errors "
-                "are dithered by the normals' own spread; those of a pattern are not."},
+                "are dithered by the normals' own spread; those of a pattern are not." RL_CAPTION_EDGE},
     {"formats",
      "Environment maps (in full) and frame buffers (in dashes) of each format: RMS change in a picture of 4 "
      "random normals. Frame buffers are rounded to nearest after the surface and after the highlight are "
-     "written. Thick grey: a tenth of the noise of 4 normals. A format that changes nothing is not drawn."},
+     "written. Thick grey: a tenth of the noise of 4 normals." RL_CAPTION_EDGE},
     {"time", "Frame time of 4 random normals by the bits of their map, relative to 8 bits in the same round; "
              "95 % intervals of the median. Grey: what two arms of the same work differ by."},
 };

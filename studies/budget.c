@@ -72,14 +72,12 @@ static const struct rl_table tables[] = {
 };
 
 static const struct rl_figure figures[] = {
-    {"sources",
-     "Where the error comes from: RMSE of each approximation alone, of all together, and as their "
-     "squares would add "
-     "up; 95 % intervals over seeds. What is at the left edge is less or nothing. base: what is left in the "
-     "pictures from which the single ones depart. Grey: 1/255, "
-     "one step of an 8-bit frame buffer."},
+    {"sources", "Where the error comes from: RMSE of each approximation alone, of all together, and as their "
+                "squares would add "
+                "up; 95 % intervals over seeds. base: what is left in the pictures from which the single "
+                "ones depart. Grey: 1/255, one step of an 8-bit frame buffer." RL_CAPTION_EDGE},
     {"smoother", "The same over R_r: smoother surfaces have less noise, and show more of what the map and "
-                 "the normals' bits do."},
+                 "the normals' bits do." RL_CAPTION_EDGE},
 };
 
 /* What tells arms apart is not among them. */

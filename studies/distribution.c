@@ -183,12 +183,11 @@ static const struct rl_figure figures[] = {
      "where two levels stand on either side of N, it is wider instead."},
     {"tilt",
      "How far storing the normals turns their mean away from N, beside their own random error (float). Bars: "
-     "95 % intervals; "
-     "those that leave the frame reach zero."},
-    {"generators",
-     "One surface point at a highlight's edge: bias (what is the same at every pixel, full "
-     "marks) and noise (what differs, open "
-     "marks) against N. A generator restarted at every pixel has no noise and all its error as bias."},
+     "95 % intervals." RL_CAPTION_EDGE},
+    {"generators", "One surface point at a highlight's edge: bias (what is the same at every pixel, full "
+                   "marks) and noise (what differs, open "
+                   "marks) against N. A generator restarted at every pixel has no noise and all its error as "
+                   "bias." RL_CAPTION_EDGE},
     {"pictures",
      "A highlight on a plane, 4 normals a pixel, by the same estimate and three sources of random "
      "numbers. Restarted at every "

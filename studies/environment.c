@@ -119,9 +119,10 @@ static const struct rl_figure figures[] = {
              "largest map, and "
              "against the reference that sees the lights from the object's centre, noise taken out. Bars: 95 "
              "% intervals "
-             "over seeds. Grey: 1/255, and a fall in proportion to the texel's size and to its 1.5th power."},
-    {"format", "Error by the texels' format at 256 texels a face edge, against 32-bit floats. What is at the "
-               "left edge is less or nothing: a white light is exact in every format."},
+             "over seeds. Grey: 1/255, and a fall in proportion to the texel's size and to its 1.5th "
+             "power." RL_CAPTION_EDGE},
+    {"format", "Error by the texels' format at 256 texels a face edge, against 32-bit floats. A white "
+               "light is exact in every format." RL_CAPTION_EDGE},
     {"parallax",
      "Error by the map's single position, exactly: reference against reference, the lights moved away "
      "and "

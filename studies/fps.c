@@ -297,7 +297,7 @@ static const struct rl_figure figures[] = {
     {"scaling",
      "Time above the frame without highlight by what the highlight pass draws: pixels times normals, for all "
      "picture sizes and sample counts. Lines: a + b x pixels x samples, fitted to each method; where a mark "
-     "is off its line, pixels cost beside their samples."},
+     "is off its line, pixels cost beside their samples." RL_CAPTION_EDGE},
     {"environment",
      "The environment map's size: the pass that draws the map, with its fitted a + b x texels, and the frame "
      "of random 4 that looks it up."},

@@ -132,7 +132,7 @@ static const struct rl_figure figures_alone[] = {
 static const struct rl_figure figures[] = {
     {"scene",
      "The whole picture by the reference, printed frame against orthonormal, over R_r. Where few normals "
-     "point along +-x the fault hides."},
+     "point along +-x the fault hides." RL_CAPTION_EDGE},
 };
 
 /* What tells arms apart is not among them. */

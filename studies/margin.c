@@ -161,17 +161,16 @@ static const struct rl_figure figures[] = {
      "Share of the highlight's energy that the pass takes away, by margin: frames of 4 random "
      "normals with and "
      "without the pass, of the same seeds, with 95 % intervals. Rings: auto, with its R_r, where it has a "
-     "sphere. What is at "
-     "the lower edge is less or nothing. Grey: 1 %."},
+     "sphere. Grey: 1 %." RL_CAPTION_EDGE},
     {"trade",
      "What a sphere saves against what it loses: frame time over that without the pass, and the share "
      "of the highlight "
      "missed. Down and left is better. Above 1 the pass costs more than it saves. Numbers are "
-     "margins, at rings R_r."},
+     "margins, at rings R_r." RL_CAPTION_EDGE},
     {"bound",
      "The proof at work: the most that any skipped pixel loses of the integral, against the bound that "
      "the closed-form margin was asked to keep. Marks below the grey diagonal keep it. "
-     "Where a mark is missing the closed form has no sphere."},
+     "Where a mark is missing the closed form has no sphere." RL_CAPTION_EDGE},
 };
 
 /* What tells arms apart is not among them. */

@@ -161,9 +161,9 @@ static const struct rl_figure figures[] = {
     {"split",
      "What the error of random normals is made of: noise, which more normals remove, and floors, which they "
      "do not. The floor is mostly parallax. Floor − parallax: against a reference that sees the lights from "
-     "the object's centre, as the environment map does; the bits and texels of the maps are left. Settings "
-     "paper's: 8-bit normals, map of 256 texels; fine: float normals, large half-float map. A bar that "
-     "leaves the frame reaches zero, and one that is not drawn is below zero by chance."},
+     "the object's centre, as the environment map does; the bits and texels of the maps are left. With "
+     "the paper's settings (8-bit normals, map of 256 texels) or fine ones (float normals, large half-float "
+     "map). Floors come from differences and may be zero or less by chance." RL_CAPTION_EDGE},
     {"needed",
      "Random normals a pixel for an RMSE of 1/255: noise falls as 1/N on top of the floor. An open mark at "
      "the upper edge: the floor alone is above 1/255 and no number suffices; a bar that reaches the edge: "

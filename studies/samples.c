@@ -195,16 +195,15 @@ static const struct rl_figure figures[] = {
     {"split",
      "Random sampling taken apart: noise (what more samples remove) and floor (what "
      "they do not). Floor − parallax: "
-     "against a reference that sees the lights from the object's centre; a bar that leaves the frame reaches "
-     "zero. Settings paper's: 8-bit "
+     "against a reference that sees the lights from the object's centre. The paper's settings: 8-bit "
      "normals, map of 256 "
-     "texels; fine: float normals, half-float map of 2048."},
+     "texels; fine: float normals, large half-float map." RL_CAPTION_EDGE},
     {"floor", "What no sample removes, against the environment map's size, at large N and with float "
               "normals. The map has two faults: "
               "its texels, and its single position, the object's centre, from which the lights are seen for "
               "every point (parallax). "
               "Against a reference that sees the lights from there too, only the texels' error is left, and "
-              "it falls."},
+              "it falls." RL_CAPTION_EDGE},
     {"time", "Error against time: down and left is better. Each point is a number of samples; times are "
              "medians of interleaved "
              "frames."},

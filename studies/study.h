@@ -40,6 +40,11 @@ struct rl_figure {
     const char *caption; /* what is shown and how to read it */
 };
 
+/* Ends the caption of a figure with a logarithmic axis that has no place for what was measured (plots/style.gp). */
+#define RL_CAPTION_EDGE                                                                                      \
+    " A mark with an arrow to the frame is at or below the edge there, zero included; a bar that ends at "   \
+    "the frame goes on below it."
+
 struct rl_study {
     const char *name;
     const char *summary; /* one line for lists */
