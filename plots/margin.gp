@@ -42,8 +42,9 @@ if (figure eq "missed") {
     set ylabel "share of the highlight's energy missed"
     set logscale y
     set format y "10^{%L}"
-    set yrange [edge_of(lowest, 1):1]
+    # Before ranges are set, since these hold for what is looked at too.
     stats data using ((fixed(strcol("series"), strcol("arm")) || is_auto(strcol("arm"))) ? column("margin") : NaN) name "M" nooutput
+    set yrange [edge_of(lowest, 1):1]
     set xrange [-0.04 * M_max:1.05 * M_max]
     set label 1 "1 %" at graph 0.995, first 0.0118 right textcolor rgb "#6a7076" font ",12"
     plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))):(ended(column("missed_low"))):(ended(column("missed_high"))) \
