@@ -98,15 +98,16 @@ if (figure eq "time") {
     set xlabel "bits of the normal map"
     set grid noxtics
     names = "8-again 4 10 16 half float"
-    place(arm) = words(substr(" " . names . " ", 1, strstrt(" " . names . " ", " " . arm . " ")))
-    other(arm) = here(strcol("scene")) && arm ne "8"
+    # The arms 8 and none (no highlight) have no place here: what is relative to 8 bits, and what has no normal map.
+    before(arm) = strstrt(" " . names . " ", " " . arm . " ")
+    place(arm) = here(strcol("scene")) && before(arm) > 0 ? words(substr(" " . names . " ", 1, before(arm))) : NaN
     stats data using (here(strcol("scene")) && strcol("arm") eq "8-again" ? column("time_to_8_low") : NaN) name "LOW" nooutput
     stats data using (here(strcol("scene")) && strcol("arm") eq "8-again" ? column("time_to_8_high") : NaN) name "HIGH" nooutput
     if (!exists("LOW_min")) { exit status 3 }
     set xrange [-0.6:5.6]
     set xtics ("8 again" 0, "4" 1, "10" 2, "16" 3, "half" 4, "float" 5)
     set object 1 rectangle from graph 0, first LOW_min to graph 1, first HIGH_max fillcolor rgb "#e3e6e9" fillstyle solid noborder behind
-    plot data using (other(strcol("arm")) ? place(strcol("arm")) : NaN):"time_to_8":"time_to_8_low":"time_to_8_high" \
+    plot data using (place(strcol("arm"))):"time_to_8":"time_to_8_low":"time_to_8_high" \
             with yerrorbars linetype 1 pointsize 1.1 linewidth 1.4 title "95 % interval, paired by round", \
         1 with lines linestyle 90 title "8 bits"
 }
