@@ -113,8 +113,8 @@ if (figure eq "needed") {
         data using (one("fine") ? x(1) : NaN):(finite(column("needed_centre"))):(edge(column("needed_centre_low"))):(edge(column("needed_centre_high"))) \
             with yerrorlines linetype 3 dashtype 1 pointsize 1 notitle, \
         data using (one("fine") ? x(1) : NaN):(none(column("needed_centre"))) with points linetype 3 pointtype 8 pointsize 1.3 notitle, \
-        keyentry with linespoints linetype 1 dashtype 1 pointsize 1 title "paper's", \
-        keyentry with linespoints linetype 2 dashtype 1 pointsize 1 title "paper's − parallax", \
+        keyentry with linespoints linetype 1 dashtype 1 pointsize 1 title "the paper's settings", \
+        keyentry with linespoints linetype 2 dashtype 1 pointsize 1 title "the paper's − parallax", \
         keyentry with linespoints linetype 3 dashtype 1 pointsize 1 title "fine − parallax", \
         4 with lines linestyle 90 title "4 and 1024", 1024 with lines linestyle 90 notitle
 }

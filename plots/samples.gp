@@ -121,6 +121,7 @@ if (figure eq "floor") {
 if (figure eq "time") {
     set title "Error against time: " . scene . at
     set xlabel "median frame time in ms"
+    set bmargin 9
     set ylabel "RMSE of linear radiance (full scale 1)"
     set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
     set format x "%g"
@@ -130,14 +131,23 @@ if (figure eq "time") {
     low = (RMSE_min < step ? RMSE_min : step) / 1.5
     set yrange [edge_of(low, RMSE_max * 1.5):RMSE_max * 1.5]
     timed(setting, method) = row("methods", setting, method) && column("rr") == central && column("frame_ms") > 0
-    label(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 256 || n == 1024
+    settings_of(s) = s eq "paper" ? "the paper's settings" : s . " settings"
+    # Line types of regular and random, setting by setting; numbers of the first setting, in the colours of both curves.
+    type(i, random) = 2 * i - 1 + (random ? 0 : 1)
+    # A number stands only where the one before it is far enough off, in parts of the frame.
+    named(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 256 || n == 1024
+    last_ms = NaN
+    last_rmse = NaN
+    off(ms, rmse) = abs(log(ms / last_ms)) / log(2.7 * MS_max / MS_min) + abs(log(rmse / last_rmse)) / log(RMSE_max * 1.5 / low)
+    note_label(ms, rmse) = off(ms, rmse) < 0.05 ? NaN : (last_ms = ms, last_rmse = rmse, ms)
+    labelled(method) = timed("paper", method) && named(column("samples")) ? note_label(column("frame_ms"), column("rmse")) : NaN
     plot for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "regular") ? column("frame_ms") : NaN):"rmse" \
-            with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular, settings " . name(word(timed_settings, i)), \
+            with linespoints linetype type(i, 0) dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular, " . settings_of(word(timed_settings, i)), \
         for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "random") ? column("frame_ms") : NaN):"rmse":"frame_ms_low":"frame_ms_high":(ended(column("rmse_low"))):"rmse_high" \
-            with xyerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random, settings " . name(word(timed_settings, i)), \
-        data using (timed("paper", "random") && label(column("samples")) ? column("frame_ms") : NaN):"rmse":(sprintf("%g", column("samples"))) \
+            with xyerrorlines linetype type(i, 1) dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random, " . settings_of(word(timed_settings, i)), \
+        data using (labelled("random")):"rmse":(sprintf("%g", column("samples"))) \
             with labels offset 0.9, 0.7 font ",12" textcolor rgb "#0072b2" notitle, \
-        data using (timed("paper", "regular") && label(column("samples")) ? column("frame_ms") : NaN):"rmse":(sprintf("%g", column("samples"))) \
-            with labels offset -0.9, -0.7 font ",12" textcolor rgb "#0072b2" notitle, \
+        data using (labelled("regular")):"rmse":(sprintf("%g", column("samples"))) \
+            with labels offset -0.5, -0.8 font ",12" textcolor rgb "#b34a00" notitle, \
         step with lines linestyle 90 title "1/255"
 }
