@@ -2,7 +2,7 @@
 #
 #   gnuplot -c plots/roughness.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
-# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is error, split or needed.
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is error, centre, split or needed.
 folder = ARG2
 output = ARG3
 figure = ARG4
@@ -51,15 +51,22 @@ set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 set mxtics 1
 set xrange [RR_min / 1.15:RR_max * 1.15]
 
-if (figure eq "error") {
-    set title "Error of every method over roughness, the paper's settings: " . scene
-    set ylabel "RMSE of linear radiance (full scale 1)"
-    set yrange [edge_of(decade_low, decade_high):decade_high]
+if (figure eq "error" || figure eq "centre") {
+    # Against the reference, or against one that sees the lights from the object's centre as the environment map does.
+    metric = figure eq "error" ? "rmse" : "rmse_centre"
+    set title (figure eq "error" ? "Error of every method over roughness, the paper's settings: " : "Error of every method but for parallax, the paper's settings: ") . scene
+    set ylabel (figure eq "error" ? "RMSE of linear radiance (full scale 1)" : "RMSE but for parallax (full scale 1)")
+    stats data using (here(strcol("scene")) && strcol("setting") eq "paper" && column(metric) > 0 ? column(metric) : NaN) name "E" nooutput
+    if (!exists("E_min")) { exit status 3 }
+    low = 10 ** floor(log10(E_min < step ? E_min : step))
+    top = 10 ** ceil(log10(E_max))
+    set yrange [edge_of(low, top):top]
     set key maxcols 3
-    plot data using (row("paper", "plain", 0) ? column("rr") : NaN):"rmse" with linespoints linetype 4 pointsize 0.9 title "plain", \
-        for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):"rmse" \
+    plot data using (row("paper", "plain", 0) ? column("rr") : NaN):(standing(column(metric))) with linespoints linetype 4 pointsize 0.9 title "plain", \
+        data using (row("paper", "exhaustive", 0) ? column("rr") : NaN):(standing(column(metric))) with linespoints linetype 5 dashtype 1 pointtype 10 pointsize 1.1 title "exhaustive", \
+        for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):(standing(column(metric))) \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular " . word(regular, i), \
-        for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):"rmse":(ended(column("rmse_low"))):"rmse_high" \
+        for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):(standing(column(metric))):(ended(column(metric . "_low"))):(ended(column(metric . "_high"))) \
             with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random " . word(random, i), \
         step with lines linestyle 90 title "1/255"
 }

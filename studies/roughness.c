@@ -156,8 +156,11 @@ static const struct rl_table tables[] = {
 
 static const struct rl_figure figures[] = {
     {"error", "Error of every method against R_r, rough at the left, smooth at the right; the paper's "
-              "settings. Bars: 95 % intervals over seeds (plain and regular have no seed). Grey: 1/255, one "
-              "step of an 8-bit frame buffer."},
+              "settings. Bars: 95 % intervals over seeds (only random has seeds). Exhaustive sums over every "
+              "texel of a smaller map (the table has its size). Grey: 1/255, one step of an 8-bit frame "
+              "buffer."},
+    {"centre", "The same but for parallax: against the reference that sees the lights from the object's "
+               "centre, as the environment map does." RL_CAPTION_EDGE},
     {"split",
      "What the error of random normals is made of: noise, which more normals remove, and floors, which they "
      "do not. The floor is mostly parallax. Floor − parallax: against a reference that sees the lights from "
