@@ -2,7 +2,7 @@
 #
 #   gnuplot -c plots/bitdepth.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
-# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is normals, regular, formats or time.
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is normals, regular, rounding, formats or time.
 folder = ARG2
 output = ARG3
 figure = ARG4
@@ -68,6 +68,32 @@ if (figure eq "regular") {
         normals using (random("10", 1.02)):(standing(column("bias"))):(ended(column("bias_low"))):(ended(column("bias_high"))) \
             with yerrorlines linetype 7 dashtype 2 title "random, 10 bits", \
         normals using (random("10", 1.02)):(sunk(column("bias"))):(0):(fall(0)) with vectors arrowstyle 7 notitle, \
+        step with lines linestyle 90 title "1/255"
+}
+
+if (figure eq "rounding") {
+    stats normals using (here(strcol("scene")) ? note_central(column("rr")) : NaN) nooutput
+    set title sprintf("Change of the picture by the bits of the normal map: %s, R_r %g, N = %g", scene, central, N_max)
+    set xlabel "bits of the normal map"
+    set ylabel "RMS change (full scale 1)"
+    unset logscale x
+    set xtics (4, 5, 6, 7, 8, 9, 10, 12, 16) nologscale
+    set xrange [3.5:16.5]
+    change(b) = here(strcol("scene")) && strcol("normal_bits") eq b && column("samples") == N_max && column("rr") == central ? column("change") : NaN
+    stats normals using (change("6")) name "SIX" nooutput
+    stats normals using (change("10")) name "TEN" nooutput
+    stats normals using (change("4")) name "FOUR" nooutput
+    if (!exists("SIX_max") || !exists("TEN_max") || !exists("FOUR_max")) { exit status 3 }
+    set yrange [edge_of(1e-5, 3 * FOUR_max):3 * FOUR_max]
+    # A straight line in log scale: at 8 bits the geometric mean of both its ends.
+    mean(x) = x >= 6 && x <= 10 ? SIX_max * (TEN_max / SIX_max) ** ((x - 6) / 4.0) : NaN
+    names = "4 5 6 8 10 12 16"
+    set samples 1001
+    plot for [i = 1:words(names)] normals using (change(word(names, i)) >= 0 ? real(word(names, i)) : NaN):(standing(column("change"))):(ended(column("change_low"))):(ended(column("change_high"))) \
+            with yerrorbars linetype 1 dashtype 1 title (i == 1 ? "random, 95 % interval" : ""), \
+        for [i = 1:words(names)] normals using (change(word(names, i)) >= 0 ? real(word(names, i)) : NaN):(sunk(column("change"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
+        mean(x) with lines linetype 2 dashtype 1 title "between 6 and 10 bits", \
+        sqrt(2.0) * mean(x) with lines linetype 4 dashtype 2 title "√2 times that: the bound at 8 bits", \
         step with lines linestyle 90 title "1/255"
 }
 

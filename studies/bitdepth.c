@@ -189,6 +189,10 @@ static const struct rl_figure figures[] = {
     {"regular", "8 and 10 bits for random normals and for a fixed pattern of 13, rounded the same way (the "
                 "shaders get the pattern as floats: this is what a texture would do to it). Random errors "
                 "are dithered by the normals' own spread; those of a pattern are not." RL_CAPTION_EDGE},
+    {"rounding",
+     "What the bits change of the picture, noise of other texels included, at one R_r and the most normals "
+     "measured. At 8 bits it is to be below the dashed line: sqrt(2) times the geometric mean of 6 and 10 "
+     "bits; a map of 7 bits would lie above." RL_CAPTION_EDGE},
     {"formats",
      "Environment maps (in full) and frame buffers (in dashes) of each format: RMS change in a picture of 4 "
      "random normals. Frame buffers are rounded to nearest after the surface and after the highlight are "

@@ -136,7 +136,7 @@ static int claim_rounding(const struct rl_judging *j, const double *rr, size_t n
                             "the geometric mean of 6 and 10 bits, that is, by less than with 7");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "normals";
+    c->figure = "rounding";
     double at = rl_central_rr(rr, n);
     const struct rl_metric *six = find(j, "series=normals normal_bits=6", at, "change"),
                            *eight = find(j, "series=normals normal_bits=8", at, "change"),
