@@ -2,7 +2,7 @@
 #
 #   gnuplot -c plots/accuracy.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
-# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is quad, star, kernel (SCENE is none) or seconds.
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is quad, star, bounded, kernel (SCENE is none) or seconds.
 folder = ARG2
 output = ARG3
 figure = ARG4
@@ -40,6 +40,38 @@ if (figure eq "quad" || figure eq "star") {
             with linespoints linetype i pointsize 1 title title_of(word(names, i)), \
         for [i = 1:words(names)] data using (labelled(word(names, i)) ? column("time_us") : NaN):(standing(column("error_p90"))):(sprintf("%g", column("tolerance"))) \
             with labels offset 0.8, 0.8 left font ",11" textcolor rgb "#57606a" notitle
+}
+
+if (figure eq "bounded") {
+    data = folder . "/accuracy_points.tsv"
+    stats data using "bounded" name "B" nooutput
+    if (!exists("B_max")) { exit status 3 }
+    set title "Does the stated error bound the true one?"
+    set ylabel "share of points"
+    set yrange [-0.05:1.08]
+    set xrange [0.4:6.6]
+    set grid noxtics
+    set xtics ("reference,\nwithin tolerance" 1, "reference" 2, "cubature\nover area" 3, "Monte Carlo" 4, "VEGAS" 5, "cubature\nover (U, V)" 6)
+    set bmargin 9.5
+    names = "reference reference cubature montecarlo vegas cubature-uv"
+    share(i) = i == 1 ? column("within") : column("bounded")
+    # Within an integrator's place from left to right: tolerances from 1e-1 to 1e-12.
+    at(i, light, aside) = strcol("integrator") eq word(names, i) && strcol("light") eq light ? i - 0.36 + 0.72 * (-log10(column("tolerance")) - 0.5) / 11.5 + aside : NaN
+    # Of all cases of an integrator together, which the claims are about.
+    do for [i = 1:6] {
+        k = 0.0
+        n = 0.0
+        note(share, points) = (k = k + share * points, n = n + points, share)
+        stats data using (strcol("integrator") eq word(names, i) ? note(share(i), column("points")) : NaN) nooutput
+        if (n > 0) { set arrow i from i - 0.4, k / n to i + 0.4, k / n nohead linetype 4 dashtype 1 linewidth 1.6 }
+    }
+    set object 1 rectangle from 3.6, 0.97 to 5.4, 1.01 fillcolor rgb "#e3e6e9" fillstyle solid noborder behind
+    set arrow 7 from 5.6, 0.9 to 6.4, 0.9 nohead linestyle 90
+    set label 1 "9 in 10" at 6.42, 0.9 left textcolor rgb "#6a7076" font ",12"
+    plot for [i = 1:6] data using (at(i, "quad", -0.01)):(share(i)) with points linetype 1 pointtype 7 pointsize 0.9 title (i == 1 ? "one quad, a mark a tolerance" : ""), \
+        for [i = 1:6] data using (at(i, "star", 0.01)):(share(i)) with points linetype 2 pointtype 4 pointsize 1.3 title (i == 1 ? "a star, a mark a tolerance" : ""), \
+        keyentry with lines linetype 4 dashtype 1 linewidth 1.6 title "all cases together", \
+        keyentry with boxes fillcolor rgb "#e3e6e9" fillstyle solid title "99 % to within 2 %"
 }
 
 if (figure eq "kernel") {

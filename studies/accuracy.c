@@ -242,6 +242,13 @@ static const struct rl_figure figures_alone[] = {
     {"quad",
      "Error against time, one quad light; the line stands at the bar of 20 us for 1e-6." POINT_CAPTION},
     {"star", "Error against time, a star of ten edges." POINT_CAPTION},
+    {"bounded",
+     "At how many points the stated error bounds the true one, by integrator, light and tolerance (from "
+     "coarse "
+     "at the left to fine); first, at how many the reference is within the tolerance asked for. Lines: all "
+     "cases of an integrator together, which the claims are about. Reference and cubature over the lights' "
+     "area are to bound it always, Monte Carlo and VEGAS in 99 % of cases to within 2 % (grey), and cubature "
+     "over (U, V), if it were a ground truth, at 9 points in 10 or more."},
     {"kernel", "Exhaustive's inner loop: texel-normals per second, 95 % intervals of the median, mostly "
                "smaller than the mark. Line: the bar of 1e9 on two threads."},
 };

@@ -119,7 +119,7 @@ static int claim_share(const struct rl_judging *j, const char *integrator, const
     double n = 0.0;
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "quad";
+    c->figure = "bounded";
     if (!share_over_cases(&share, &n, j, integrator, metric))
         return RL_OK;
     rl_claim_value(c, share.value, share.low, share.high, "of all cases");
@@ -141,7 +141,7 @@ static int claim_no_truth(const struct rl_judging *j)
     double n = 0.0;
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "star";
+    c->figure = "bounded";
     if (!share_over_cases(&share, &n, j, "cubature-uv", "bounded"))
         return RL_OK;
     rl_claim_value(c, share.value, share.low, share.high, "of all cases");

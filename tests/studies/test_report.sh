@@ -208,7 +208,7 @@ check "which is there" [ -z "$(for f in $shown; do [ -s "$tmp/report/$f" ] || ec
 check "and the overview shows one beside every claim" [ "$(grep -o 'class="whose' "$page" | wc -l)" -eq \
     "$(grep -o 'class="small"' "$page" | wc -l)" ]
 check "pictures as EXR beside it" [ "$(ls "$tmp"/report/picture-*.exr | wc -l)" -eq 8 ]
-for study in samples:12 fps:12 accuracy:5; do
+for study in samples:12 fps:12 accuracy:6; do
     n=${study#*:} study=${study%:*}
     check "every figure of $study is drawn, as SVG, as PNG and in small" [ "$(ls "$tmp"/report/$study-*.svg | wc -l)" -eq $n \
         -a "$(ls "$tmp"/report/$study-*.png | wc -l)" -eq $((2 * n)) -a "$(ls "$tmp"/report/$study-*.small.png | wc -l)" -eq $n ]
