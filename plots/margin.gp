@@ -2,7 +2,7 @@
 #
 #   gnuplot -c plots/margin.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
-# FOLDER holds margin.tsv, OUTPUT ends in .svg or .png, FIGURE is missed, trade or bound.
+# FOLDER holds margin.tsv, OUTPUT ends in .svg or .png, FIGURE is missed, trade, cost, bound or mean.
 folder = ARG2
 output = ARG3
 figure = ARG4
@@ -82,23 +82,45 @@ if (figure eq "trade") {
         1 with lines linestyle 90 notitle
 }
 
-if (figure eq "bound") {
-    set title "Worst pixel against the bound asked for: " . scene
+if (figure eq "cost") {
+    set title "Frame time with the pass, by R_r: " . scene . ", random 4"
+    set xlabel "R_r"
+    set ylabel "frame time over that without the pass"
+    set logscale x
+    set xtics (1, 3, 10, 30, 100, 300, 1000)
+    timed(a) = strcol("scene") eq scene && strcol("series") eq "margin" && strcol("arm") eq a && column("time_to_off") > 0
+    stats data using (timed("huge") ? column("rr") : NaN) name "RR" nooutput
+    if (!exists("RR_max")) { exit status 3 }
+    set xrange [RR_min / 2:RR_max * 2]
+    names = "huge auto again"
+    titles = "'the pass alone' 'auto' 'without it again'"
+    place(i) = timed(word(names, i)) && (i != 2 || column("spheres") > 0) ? column("rr") * 1.05 ** (i - 2) : NaN
+    plot for [i = 1:3] data using (place(i)):"time_to_off":"time_to_off_low":"time_to_off_high" \
+            with yerrorbars linetype i dashtype 1 pointsize 1.1 title word(titles, i), \
+        1 with lines linestyle 90 dashtype 3 title "no time saved", \
+        1.1 with lines linestyle 90 title "10 % more"
+}
+
+if (figure eq "bound" || figure eq "mean") {
+    # The worst pixel of those skipped, or all of them in the mean.
+    loss = figure eq "bound" ? "worst_exact" : "loss_exact"
+    low = figure eq "bound" ? 1e-4 : 1e-6
+    set title (figure eq "bound" ? "Worst pixel against the bound asked for: " : "Mean loss of skipped pixels against the bound asked for: ") . scene
     set xlabel "bound on a pixel's loss, over the light's radiance"
-    set ylabel "largest loss of a skipped pixel"
+    set ylabel (figure eq "bound" ? "largest loss of a skipped pixel" : "mean loss of skipped pixels")
     set logscale xy
     set format x "%g"
     set format y "10^{%L}"
-    set xrange [0.003:0.4]
-    set yrange [edge_of(1e-4, 0.4):0.4]
     set xtics (0.005, 0.01, 0.02, 0.05, 0.1, 0.2)
     has_bound(any) = strcol("scene") eq scene && column("spheres") > 0 && column("bound") > 0
     # Side by side where all lose the same.
     asked(i) = has_bound(0) && at(i) ? column("bound") * (1 + 0.03 * (i - words(rr_list) / 2.0)) : NaN
-    stats data using (has_bound(0) ? column("worst_exact") : NaN) name "W" nooutput
+    stats data using (has_bound(0) ? column(loss) : NaN) name "W" nooutput
     if (!exists("W_max")) { exit status 3 }
-    plot for [i = 1:words(rr_list)] data using (asked(i)):(standing(column("worst_exact"))):(ended(column("worst_exact_low"))):(ended(column("worst_exact_high"))) \
+    set xrange [0.003:0.4]
+    set yrange [edge_of(low, 0.4):0.4]
+    plot for [i = 1:words(rr_list)] data using (asked(i)):(standing(column(loss))):(ended(column(loss . "_low"))):(ended(column(loss . "_high"))) \
             with yerrorbars linetype i pointsize 1.1 title "R_r " . word(rr_list, i), \
-        for [i = 1:words(rr_list)] data using (asked(i)):(sunk(column("worst_exact"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (asked(i)):(sunk(column(loss))):(0):(fall(0)) with vectors arrowstyle i notitle, \
         x with lines linestyle 90 title "the bound"
 }

@@ -86,7 +86,7 @@ static int claim_loss(const struct rl_judging *j)
                                              "skipped: mean loss over bound, at most 1");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "bound";
+    c->figure = "mean";
     for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, ""));) {
         const struct rl_metric *loss = rl_record_metric(r, "loss_exact");
         const struct rl_metric *bound = rl_record_metric(r, "bound");
@@ -198,7 +198,7 @@ static int claim_cost(const struct rl_judging *j, const double *rr, size_t n)
         j, "ours: the sphere pass itself is cheap: where it saves nothing it adds at most 10 % to the frame");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "trade";
+    c->figure = "cost";
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *times = find(j, "huge", rr[i], "time_to_off");
         if (!times)
