@@ -2,13 +2,36 @@
 #
 #   gnuplot -c plots/margin.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
-# FOLDER holds margin.tsv, OUTPUT ends in .svg or .png, FIGURE is missed, trade, cost, bound or mean.
+# FOLDER holds margin.tsv, OUTPUT ends in .svg or .png, FIGURE is missed, trade, cost, bound, mean or filled
+# (SCENE is none).
 folder = ARG2
 output = ARG3
 figure = ARG4
 scene = ARG5
 load ARG1
 data = folder . "/margin.tsv"
+
+if (figure eq "filled") {
+    set title "What two lights made for a bound lose of it"
+    set xlabel "R_r, roughness: 1 is the roughest, 1000 nearly a mirror"
+    set ylabel "loss over the bound"
+    set logscale x
+    set xtics (1, 3, 10, 30, 100, 300, 1000)
+    made(loss) = strcol("series") eq "filled" && column("loss") == loss ? column("rr") : NaN
+    losses = ""
+    note(loss) = (strstrt(" " . losses, sprintf(" %g ", loss)) == 0 ? losses = losses . sprintf("%g ", loss) : losses, loss)
+    stats data using (strcol("series") eq "filled" && column("filled") > 0 ? note(column("loss")) : NaN) nooutput
+    stats data using (strcol("series") eq "filled" ? column("rr") : NaN) name "RR" nooutput
+    if (!exists("RR_max") || words(losses) == 0) { exit status 3 }
+    set xrange [RR_min / 1.5:RR_max * 1.5]
+    set yrange [0:1.05]
+    set bmargin 9.5
+    set object 1 rectangle from graph 0, first 0.4 to graph 1, first 0.8 fillcolor rgb "#e3e6e9" fillstyle solid noborder behind
+    plot for [i = 1:words(losses)] data using (made(real(word(losses, i)))):"filled" with linespoints linetype i pointsize 1.1 title "bound " . word(losses, i), \
+        1 with lines linestyle 90 title "the bound", \
+        keyentry with boxes fillcolor rgb "#e3e6e9" fillstyle solid title "0.4 to 0.8"
+    exit
+}
 
 fixed(s, a) = strcol("scene") eq scene && s eq "margin" && a ne "off" && a ne "again" && a ne "huge" && a ne "auto"
 is_auto(a) = strcol("scene") eq scene && a eq "auto" && column("spheres") > 0

@@ -5,18 +5,18 @@
 #include "studies/seeds.h"
 #include "studies/study.h"
 
-/* Two kinds of cases. "series=margin arm=A": one group for each R_r, of the arms off, again (off once more: the noise floor), none, the
+/* Three kinds of cases. "series=margin arm=A": one group for each R_r, of the arms off, again (off once more: the noise floor), none, the
  * margins, auto and huge (which lets every pixel through: what the pass itself costs). "series=bound loss=X": the margin
- * that rl_margin_auto gives for the loss X, without a clock.
+ * that rl_margin_auto gives for the loss X, without a clock. "series=filled loss=X": the same X, but no scene.
  *
  * Metrics of all but off and again: spheres (1 if the plan has the pass), margin where it has; skipped, the share of the highlight
  * pass's pixels that it leaves out; missed, the share of the highlight's energy gone in frames of the same seeds, with
  * its interval over seeds, and worst, the most that a channel of a pixel loses in one of them; and of the integral itself, seen from
  * the object's centre, missed_exact, worst_exact and loss_exact, the mean over the pixels skipped. Shares of a highlight that is
  * not there (or, exactly, not above the tolerance) are not recorded. Losses are in units of the
- * brightest light's radiance. bound: what auto promises for worst_exact; filled: what two
- * lights made for it lose of that. from_rr: the R_r from which on auto has a
- * sphere. Of all where timed, and of an arm none without a highlight: what timing_arms.h adds, against that and against off. */
+ * brightest light's radiance. bound: what auto promises for worst_exact. from_rr: the R_r from
+ * which on auto has a sphere. Of all where timed, and of an arm none without a highlight: what timing_arms.h adds, against that and against off.
+ * Metrics of series=filled: bound, and where a light can have a sphere, filled: what two lights made for it lose of that. */
 int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                       const struct rl_scene *scene, struct rl_error *error);
 

@@ -102,7 +102,7 @@ static int claim_loss(const struct rl_judging *j)
     return RL_OK;
 }
 
-/* What the scene's own lights lose may be far below the bound. */
+/* What a scene's own lights lose may be far below the bound: this one needs no scene. */
 static int claim_filled(const struct rl_judging *j)
 {
     struct rl_claim *c =
@@ -110,8 +110,8 @@ static int claim_filled(const struct rl_judging *j)
                             "lose between 0.4 and 0.8 of its bound");
     if (!c)
         return RL_ERR_SYSTEM;
-    c->figure = "bound";
-    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, ""));) {
+    c->figure = "filled";
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, "series=filled"));) {
         const struct rl_metric *filled = rl_record_metric(r, "filled");
         const struct rl_metric *bound = rl_record_metric(r, "bound");
         if (!filled || !bound || filled->value <= c->value)
@@ -212,35 +212,37 @@ static int claim_cost(const struct rl_judging *j, const double *rr, size_t n)
     return RL_OK;
 }
 
+static int judge_scene(const struct rl_judging *j)
+{
+    double rr[RL_AXIS_MAX];
+    size_t n = rl_judging_axis(j, "series=margin", "rr", rr);
+    int status = claim_bound(j, rr, n);
+    if (status == RL_OK)
+        status = claim_any_bound(j);
+    if (status == RL_OK)
+        status = claim_loss(j);
+    if (status == RL_OK)
+        status =
+            claim_energy(j, rr, n, "auto", "ours: margin auto misses at most 1 % of the highlight's energy",
+                         enough_energy);
+    if (status == RL_OK)
+        status =
+            claim_energy(j, rr, n, "0.5",
+                         "paper: a sphere somewhat larger than the light suffices: 1.5 times as large it "
+                         "misses at most 1 % of the energy",
+                         enough_energy);
+    if (status == RL_OK)
+        status = claim_time(j, rr, n);
+    return status == RL_OK ? claim_cost(j, rr, n) : status;
+}
+
 int rl_margin_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
 {
     int status = RL_OK;
     const char *scene;
     for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
-        struct rl_judging j = {run, scene, claims, error};
-        double rr[RL_AXIS_MAX];
-        size_t n = rl_judging_axis(&j, "series=margin", "rr", rr);
-        status = claim_bound(&j, rr, n);
-        if (status == RL_OK)
-            status = claim_any_bound(&j);
-        if (status == RL_OK)
-            status = claim_loss(&j);
-        if (status == RL_OK)
-            status = claim_filled(&j);
-        if (status == RL_OK)
-            status =
-                claim_energy(&j, rr, n, "auto",
-                             "ours: margin auto misses at most 1 % of the highlight's energy", enough_energy);
-        if (status == RL_OK)
-            status =
-                claim_energy(&j, rr, n, "0.5",
-                             "paper: a sphere somewhat larger than the light suffices: 1.5 times as large it "
-                             "misses at most 1 % of the energy",
-                             enough_energy);
-        if (status == RL_OK)
-            status = claim_time(&j, rr, n);
-        if (status == RL_OK)
-            status = claim_cost(&j, rr, n);
+        const struct rl_judging j = {run, scene, claims, error};
+        status = strcmp(scene, RL_NO_SCENE) == 0 ? claim_filled(&j) : judge_scene(&j);
     }
     return status;
 }

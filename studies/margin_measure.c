@@ -81,9 +81,6 @@ static int add_plan(struct rl_record *r, const struct rl_scene *scene, const str
     double loss = is_auto ? RL_MARGIN_AUTO_LOSS : rl_parameter_number(r->parameters, "loss");
     if (status == RL_OK && !isnan(loss))
         status = add(r, "bound", loss, error);
-    double filled = isnan(loss) ? NAN : rl_margin_filled(rl_parameter_number(r->parameters, "rr"), loss);
-    if (status == RL_OK && isfinite(filled))
-        status = add(r, "filled", filled, error);
     double rr = is_auto ? first_rr(scene, plan) : NAN;
     return status == RL_OK && isfinite(rr) ? add(r, "from_rr", rr, error) : status;
 }
@@ -143,9 +140,24 @@ static int measure_times(struct rl_record *records, size_t n, struct rl_bench *b
     return status;
 }
 
+static int measure_filled(struct rl_record *records, size_t n, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        double loss = rl_parameter_number(records[i].parameters, "loss");
+        double filled = rl_margin_filled(rl_parameter_number(records[i].parameters, "rr"), loss);
+        status = add(&records[i], "bound", loss, error);
+        if (status == RL_OK && isfinite(filled))
+            status = add(&records[i], "filled", filled, error);
+    }
+    return status;
+}
+
 int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                       const struct rl_scene *scene, struct rl_error *error)
 {
+    if (rl_parameters_match(records[0].parameters, "series=filled"))
+        return measure_filled(records, n, error);
     if (n > ARMS_MAX)
         return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, at most %d are measured together", n,
                        ARMS_MAX);

@@ -12,6 +12,7 @@
 #include "studies/study.h"
 
 static const struct rl_place place = {"margin", "made-up", "made-up.yaml", 1};
+static const struct rl_place alone = {"margin", RL_NO_SCENE, "", 0};
 
 /* What a made-up world is like at R_r 300, 100 and 3, where auto has no sphere. */
 struct world {
@@ -56,7 +57,6 @@ static void add_rr(struct rl_run *run, const struct world *w, double rr, double 
     metric(r, "from_rr", 20.0, 0.0);
     metric(r, "worst_exact", sphere ? w->worst : 0.0, 1e-4);
     metric(r, "loss_exact", sphere ? w->loss : 0.0, 1e-4);
-    metric(r, "filled", w->filled, 0.0);
     if (!isnan(w->missed))
         metric(r, "missed_exact", sphere ? w->missed : 0.0, 1e-4);
     metric(r, "missed", 0.0, 0.0); /* of frames: decides nothing */
@@ -76,6 +76,9 @@ static struct rl_claim judge(struct world w, const char *words)
     add_rr(&run, &w, 3.0, w.time);
     add_rr(&run, &w, 100.0, w.time);
     add_rr(&run, &w, 300.0, w.time_300);
+    struct rl_record *r = rl_run_add(&run, &alone, 5000, NULL, "series=filled loss=0.02 rr=300");
+    metric(r, "bound", 0.02, 0.0);
+    metric(r, "filled", w.filled, 0.0);
     struct rl_claim found = claim_of("margin", &run, words);
     rl_run_clear(&run);
     return found;
@@ -159,7 +162,8 @@ static void test_missing(void **state)
 {
     (void)state;
     struct rl_run run = {.study = "margin", .grid = "quick"};
-    assert_int_equal(rl_study_find("margin")->plan(&run, &place, RL_GRID_QUICK, 0, NULL), RL_OK);
+    assert_int_equal(rl_study_find("margin")->plan_alone(&run, &alone, RL_GRID_QUICK, 0, NULL), RL_OK);
+    assert_int_equal(rl_study_find("margin")->plan(&run, &place, RL_GRID_QUICK, 100, NULL), RL_OK);
     struct rl_claims claims = {0};
     assert_int_equal(rl_study_find("margin")->judge(&claims, &run, NULL), RL_OK);
     assert_true(claims.n == 8);
@@ -177,7 +181,9 @@ static void test_plan(void **state)
     (void)state;
     for (int grid = RL_GRID_QUICK; grid <= RL_GRID_FULL; grid++) {
         struct rl_run run = {.study = "margin"};
-        assert_int_equal(rl_study_find("margin")->plan(&run, &place, (enum rl_grid)grid, 0, NULL), RL_OK);
+        assert_int_equal(rl_study_find("margin")->plan_alone(&run, &alone, (enum rl_grid)grid, 0, NULL),
+                         RL_OK);
+        assert_int_equal(rl_study_find("margin")->plan(&run, &place, (enum rl_grid)grid, 100, NULL), RL_OK);
         rl_run_identify(&run, "env");
         for (size_t i = 0; i < run.n_records; i++) {
             run.record[i].status = RL_RECORD_OK;
@@ -185,13 +191,10 @@ static void test_plan(void **state)
                 assert_string_not_equal(run.record[i].identity, run.record[k].identity);
         }
         static const char *const needed[] = {
-            "series=margin arm=off rr=30",
-            "series=margin arm=again rr=300",
-            "series=margin arm=auto rr=30",
-            "series=margin arm=huge rr=30",
-            "series=margin arm=0.5 rr=30",
-            "series=bound rr=30",
-            "series=margin arm=none rr=300 method=none",
+            "series=margin arm=off rr=30",    "series=margin arm=again rr=300",
+            "series=margin arm=auto rr=30",   "series=margin arm=huge rr=30",
+            "series=margin arm=0.5 rr=30",    "series=bound rr=30",
+            "series=filled loss=0.02 rr=300", "series=margin arm=none rr=300 method=none",
         };
         for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
             assert_non_null(rl_run_find(&run, NULL, needed[i]));
