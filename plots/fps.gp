@@ -131,13 +131,13 @@ if (figure eq "objects") {
     set yrange [0:*]
     plot rows using (is("objects", "random-4") ? column("objects") + 0.06 : NaN):"above_baseline_ms":"above_baseline_ms_low":"above_baseline_ms_high" \
             with yerrorbars linetype 1 pointsize 1.1 title "random 4 adds", \
-        S_mean * W_mean + O_mean * x with lines linetype 1 title "fitted", \
+        S_mean * W_mean + O_mean * x with lines linetype 1 title "random 4, fitted", \
         rows using (is("objects", "none") ? column("objects") - 0.06 : NaN):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 4 pointsize 1.1 title "frame without highlight", \
-        line(1, x) with lines linetype 4 title "fitted", \
+        line(1, x) with lines linetype 4 title "without highlight, fitted", \
         rows using (is("objects", "environment") ? column("objects") : NaN):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 2 pointsize 1.1 title "drawing the environment maps", \
-        line(2, x) with lines linetype 2 title "fitted"
+        line(2, x) with lines linetype 2 title "environment maps, fitted"
 }
 
 if (figure eq "roughness" || figure eq "maps") {
@@ -154,10 +154,10 @@ if (figure eq "roughness") {
     set ylabel "ms above the frame without highlight"
     plot rows using (is("roughness", "random-4") ? column("roughnesses") - 0.03 : NaN):"above_baseline_ms":"above_baseline_ms_low":"above_baseline_ms_high" \
             with yerrorbars linetype 1 pointsize 1.1 title "random 4", \
-        line(1, x) with lines linetype 1 title "fitted", \
+        line(1, x) with lines linetype 1 title "random 4, fitted", \
         rows using (is("roughness", "random-4-margin") ? column("roughnesses") + 0.03 : NaN):"above_baseline_ms":"above_baseline_ms_low":"above_baseline_ms_high" \
             with yerrorbars linetype 2 pointsize 1.1 title "with bounding spheres", \
-        line(2, x) with lines linetype 2 title "fitted"
+        line(2, x) with lines linetype 2 title "with spheres, fitted"
 }
 
 if (figure eq "maps") {
@@ -186,11 +186,11 @@ if (figure eq "exhaustive") {
     set yrange [(Y_min < 30 ? Y_min : 30) / 1.3:Y_max * 2]
     plot rows using (of_size(P_min)):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 1 pointsize 1.1 title sprintf("%.0f pixels", P_min), \
-        line(1, 1e6 * x) + C_mean * P_min with lines linetype 1 title "fitted", \
+        line(1, 1e6 * x) + C_mean * P_min with lines linetype 1 title sprintf("fitted, %.0f pixels", P_min), \
         rows using (of_size(P_max)):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 2 pointsize 1.1 title sprintf("%.0f pixels", P_max), \
         rows using (is("exhaustive", "exhaustive") && column("drawn_px") > P_min && column("drawn_px") < P_max ? 1e-6 * column("texel_normals") : NaN):"frame_ms":"frame_ms_low":"frame_ms_high" \
             with yerrorbars linetype 3 pointsize 1.1 notitle, \
-        line(1, 1e6 * x) + C_mean * P_max with lines linetype 2 title "fitted", \
+        line(1, 1e6 * x) + C_mean * P_max with lines linetype 2 title sprintf("fitted, %.0f pixels", P_max), \
         1000.0 / 24.0 with lines linestyle 90 title "1/24 s"
 }
