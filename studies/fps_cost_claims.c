@@ -321,15 +321,16 @@ static int claim_extrapolated(const struct costs *k)
     double times = 640.0 * 480.0 / (rl_parameter_number(p, "width") * rl_parameter_number(p, "height"));
     double pixels = times * rl_record_metric(r, "drawn_px")->value;
     double texels = times * edges * edges * rl_record_metric(r, "texel_normals")->value;
+    double seconds = 1e-3 * a->value + 1e-9 * (b->value * pixels + d->value * texels);
+    snprintf(c->note, sizeof c->note,
+             "a + b x %.3g pixels + c x %.3g texel-normals, %.3g times the most that was measured%s", pixels,
+             texels, times * edges * edges, seconds > 0.0 ? "" : "; left out: no time above 0 is predicted");
+    if (!(seconds > 0.0))
+        return RL_OK;
     /* The ends of all three together: wider than 95 %. */
-    rl_claim_value(c, 1e-3 * a->value + 1e-9 * (b->value * pixels + d->value * texels),
-                   1e-3 * a->low + 1e-9 * (b->low * pixels + d->low * texels),
+    rl_claim_value(c, seconds, 1e-3 * a->low + 1e-9 * (b->low * pixels + d->low * texels),
                    1e-3 * a->high + 1e-9 * (b->high * pixels + d->high * texels), "s, extrapolated");
     c->verdict = rl_verdict_at_least(c->low, c->high, 1.0 / RL_FILM_FPS);
-    snprintf(
-        c->note, sizeof c->note,
-        "a + b x %.3g pixels + c x %.3g texel-normals, %.3g times as many as in the largest case measured",
-        pixels, texels, times * edges * edges);
     return RL_OK;
 }
 

@@ -297,6 +297,11 @@ static void test_prices_flip(void **state)
     assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
     assert_string_equal(c.unit, "s, extrapolated");
     check_relative(c.value, 0.020 + 102400 * 1e-7 + 102400 * 65536e-9, 0.02);
+    p.per_texel_normal *= -0.01; /* hardly seen where it was measured */
+    c = priced(p, extrapolated);
+    assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_true(isnan(c.value));
+    assert_non_null(strstr(c.note, "left out"));
     p.start = p.per_texel_normal = p.cpu_pixel = 1e-9;
     assert_int_equal(priced(p, extrapolated).verdict, RL_VERDICT_FAILS);
     p = usual_prices;
