@@ -137,15 +137,18 @@ static void test_flips(void **state)
     static const char time[] = "the sphere saves time";
     w = usual;
     c = judge(w, time);
-    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
-    assert_true(c.value == 100.0);
-    assert_non_null(strstr(c.note, "from R_r 20 on"));
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS); /* R_r 3, without a sphere, says nothing of the sphere */
+    assert_true(c.value == 0.8);
+    assert_non_null(strstr(c.note, "no sphere at R_r 3: auto has one from R_r 20 on"));
+    assert_null(strstr(c.note, "R_r 3: 1"));
     w.time = 0.98; /* less, but no less than chance */
-    assert_int_equal(judge(w, time).value == 100.0, false);
-    assert_true(judge(w, time).value == 300.0);
+    c = judge(w, time);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+    assert_true(c.value == 300.0);
     w.time = w.time_300 = 1.2;
-    assert_int_equal(judge(w, time).verdict, RL_VERDICT_FAILS);
-    assert_true(judge(w, time).value >= 1.0); /* that of an R_r that fails */
+    c = judge(w, time);
+    assert_int_equal(c.verdict, RL_VERDICT_FAILS);
+    assert_true(c.value == 1.2 && c.low < 1.2); /* that of an R_r that fails, with its interval */
 
     static const char cost[] = "pass itself is cheap";
     w = usual;
