@@ -128,10 +128,12 @@ static int claim_bias_share(const struct rl_judging *v, const double *rr, size_t
 {
     struct rl_claim *c =
         rl_judging_claim(v, "ours: with the paper's settings more samples stop helping: at the largest "
-                            "N most of the squared error is bias");
+                            "N most of the squared error is bias, at every R_r");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "split";
+    struct rl_step step[RL_AXIS_MAX];
+    rl_judging_steps(step, rr, n);
     for (size_t i = 0; i < n; i++) {
         char pattern[96];
         snprintf(pattern, sizeof pattern, "series=methods setting=paper method=random rr=%g", rr[i]);
@@ -143,14 +145,12 @@ static int claim_bias_share(const struct rl_judging *v, const double *rr, size_t
         const struct rl_metric *s = find(v, "random", N[n_samples - 1], rr[i], "variance");
         if (!b || !s)
             continue;
-        rl_judging_note(c, rr[i], b->value / (b->value + s->value));
-        if (rr[i] != rl_central_rr(rr, n))
-            continue;
         double bias_low = fmax(b->low, 0.0);
         double low = bias_low / (bias_low + s->high), high = b->high / (b->high + s->low);
-        rl_claim_value(c, b->value / (b->value + s->value), low, high, "share of MSE");
-        c->verdict = rl_verdict_at_least(low, high, 0.5);
+        step[i] = (struct rl_step){rr[i], b->value / (b->value + s->value), low, high,
+                                   rl_verdict_at_least(low, high, 0.5)};
     }
+    rl_judging_conclude(c, step, n, "share of MSE");
     return RL_OK;
 }
 

@@ -138,6 +138,18 @@ static void test_flips(void **state)
     w.floor = w.noise_1 / 32.0;
     assert_int_equal(verdict_in(w, share), RL_VERDICT_INCONCLUSIVE);
 
+    /* At R_r 3 the floor is far below the noise: the central R_r does not speak for it. */
+    w = usual;
+    struct rl_run run;
+    make(&run, &w);
+    struct rl_record *rough =
+        rl_run_add(&run, &place, 2048, NULL, "series=methods setting=paper method=random samples=2048 rr=3");
+    fill(rough, 0.01, 0.001, 0.02);
+    struct rl_claim c = judge(&run, share);
+    rl_run_clear(&run);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+    assert_true(c.value == 30.0 && c.low == 3.0);
+
     w = usual;
     static const char regular[] = "paper: 4 random normals give no more error than 13 regular";
     assert_int_equal(verdict_in(w, regular), RL_VERDICT_HOLDS); /* 0.1 against 0.15 */
