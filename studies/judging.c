@@ -94,7 +94,36 @@ static void speak(struct rl_claim *c, const struct rl_step *step, size_t n, enum
     }
 }
 
-static void reach(struct rl_claim *c, const struct rl_step *step, size_t n, size_t rough, size_t smooth)
+/* "fails: 2 [1.9, 2.1] of what is allowed"; an infinite value is of something that was looked for and is not there. */
+static void step_text(char text[160], const struct rl_step *s, const char *unit)
+{
+    const char *verdict = s->verdict == RL_VERDICT_FAILS ? "fails" : "is undecided";
+    const char *of = strcmp(unit, "1") == 0 ? "" : unit, *blank = *of ? " " : "";
+    if (isnan(s->value))
+        snprintf(text, 160, "was not measured");
+    else if (isfinite(s->value))
+        snprintf(text, 160, "%s: %.3g [%.3g, %.3g]%s%s", verdict, s->value, s->low, s->high, blank, of);
+    else if (isfinite(s->low))
+        snprintf(text, 160, "%s: none, or %.3g%s%s", verdict, s->low, blank, of);
+    else
+        snprintf(text, 160, "%s: none", verdict);
+}
+
+/* What ended the reach, in the figure's own unit, which the claim's number does not have; and how far the other end reaches (0: not). */
+static void note_reach(struct rl_claim *c, const struct rl_step *next, double other, const char *unit)
+{
+    char text[160], also[64] = "";
+    size_t used = strlen(c->note);
+    step_text(text, next, unit);
+    if (other > 0.0)
+        snprintf(also, sizeof also, "; also at R_r %g and %s", other,
+                 c->value > next->rr ? "rougher" : "smoother");
+    snprintf(c->note + used, sizeof c->note - used, "%snext, R_r %g, %s%s", used ? "; " : "", next->rr, text,
+             also);
+}
+
+static void reach(struct rl_claim *c, const struct rl_step *step, size_t n, size_t rough, size_t smooth,
+                  const char *unit)
 {
     c->verdict = RL_VERDICT_HOLDS_UP_TO;
     if (smooth >= rough) {
@@ -103,12 +132,14 @@ static void reach(struct rl_claim *c, const struct rl_step *step, size_t n, size
             failing--;
         rl_claim_value(c, step[end].rr, failing > 0 ? step[failing - 1].rr : 0.0, step[end].rr,
                        "R_r and smoother");
+        note_reach(c, &step[end - 1], rough > 0 ? step[rough - 1].rr : 0.0, unit);
     } else {
         size_t failing = rough;
         while (failing < n && step[failing].verdict != RL_VERDICT_FAILS)
             failing++;
         rl_claim_value(c, step[rough - 1].rr, step[rough - 1].rr, failing < n ? step[failing].rr : INFINITY,
                        "R_r and rougher");
+        note_reach(c, &step[rough], smooth > 0 ? step[n - smooth].rr : 0.0, unit);
     }
 }
 
@@ -124,7 +155,7 @@ void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t 
     if (n > 0 && smooth == n)
         speak(c, step, n, RL_VERDICT_HOLDS, unit);
     else if (smooth + rough > 0)
-        reach(c, step, n, rough, smooth);
+        reach(c, step, n, rough, smooth, unit);
     else
         speak(c, step, n, failing > 0 ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE, unit);
     note_all(c, step, n);

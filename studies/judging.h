@@ -60,7 +60,8 @@ void rl_judging_steps(struct rl_step step[RL_AXIS_MAX], const double *rr, size_t
  *   such R_r; the other end of its interval is the first R_r that fails, or there is none (infinity; from the smooth end 0).
  * - fails: at neither end does it hold, and some R_r fails. The number of that which fails, the nearest to the central one of several.
  * - inconclusive: likewise of what is undecided.
- * The note gets the R_r that the number belongs to, and the numbers of all. */
+ * The note gets the R_r that the number belongs to, or what ended the reach, with its interval, and the other end's reach; then the
+ * numbers of all. */
 void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit);
 
 /* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */

@@ -27,7 +27,7 @@ struct rl_claim {
     enum rl_verdict verdict;
     double value, low, high; /* NaN: not measured */
     char unit[64];
-    char note[256]; /* one line beside the number: what it is, what it was held against */
+    char note[400]; /* one line beside the number: what it is, what it was held against */
     char study[64];
     char scene[64];     /* as records name it */
     const char *figure; /* of the study, that shows it; NULL: its first. A text that stays */

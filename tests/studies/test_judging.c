@@ -47,14 +47,23 @@ static void the_number_carries_the_verdict(void **state)
         const char *unit, *note;
     } rows[] = {
         {"hhhhh", RL_VERDICT_HOLDS, 3.0, 2.9, 3.1, figure, "at R_r 30; R_r 1: 1; "},
-        {"hhffh", RL_VERDICT_HOLDS_UP_TO, 10.0, 10.0, 30.0, rough, "R_r 1: 1; R_r 10: 2; "},
-        {"hhuff", RL_VERDICT_HOLDS_UP_TO, 10.0, 10.0, 100.0, rough, "R_r 1: 1; "},
-        {"hhhuu", RL_VERDICT_HOLDS_UP_TO, 30.0, 30.0, INFINITY, rough, "R_r 1: 1; "},
-        {"hhhh-", RL_VERDICT_HOLDS_UP_TO, 100.0, 100.0, INFINITY, rough, "R_r 1: 1; "},
-        {"ffuhh", RL_VERDICT_HOLDS_UP_TO, 100.0, 10.0, 100.0, smooth, "R_r 1: 1; "},
-        {"uuuhh", RL_VERDICT_HOLDS_UP_TO, 100.0, 0.0, 100.0, smooth, "R_r 1: 1; "},
-        {"hfhhh", RL_VERDICT_HOLDS_UP_TO, 30.0, 10.0, 30.0, smooth, "R_r 1: 1; "},
-        {"hhhfh", RL_VERDICT_HOLDS_UP_TO, 30.0, 30.0, 100.0, rough, "R_r 1: 1; "},
+        {"hhffh", RL_VERDICT_HOLDS_UP_TO, 10.0, 10.0, 30.0, rough,
+         "next, R_r 30, fails: 3 [2.9, 3.1] of something; also at R_r 1000 and smoother; R_r 1: 1; R_r 10: "
+         "2; "},
+        {"hhuff", RL_VERDICT_HOLDS_UP_TO, 10.0, 10.0, 100.0, rough,
+         "next, R_r 30, is undecided: 3 [2.9, 3.1] of something; R_r 1: 1; "},
+        {"hhhuu", RL_VERDICT_HOLDS_UP_TO, 30.0, 30.0, INFINITY, rough,
+         "next, R_r 100, is undecided: 4 [3.9, 4.1] of something; R_r 1: 1; "},
+        {"hhhh-", RL_VERDICT_HOLDS_UP_TO, 100.0, 100.0, INFINITY, rough,
+         "next, R_r 1000, was not measured; R_r 1: 1; "},
+        {"ffuhh", RL_VERDICT_HOLDS_UP_TO, 100.0, 10.0, 100.0, smooth,
+         "next, R_r 30, is undecided: 3 [2.9, 3.1] of something; R_r 1: 1; "},
+        {"uuuhh", RL_VERDICT_HOLDS_UP_TO, 100.0, 0.0, 100.0, smooth,
+         "next, R_r 30, is undecided: 3 [2.9, 3.1] of something; R_r 1: 1; "},
+        {"hfhhh", RL_VERDICT_HOLDS_UP_TO, 30.0, 10.0, 30.0, smooth,
+         "next, R_r 10, fails: 2 [1.9, 2.1] of something; also at R_r 1 and rougher; R_r 1: 1; "},
+        {"hhhfh", RL_VERDICT_HOLDS_UP_TO, 30.0, 30.0, 100.0, rough,
+         "next, R_r 100, fails: 4 [3.9, 4.1] of something; also at R_r 1000 and smoother; R_r 1: 1; "},
         /* No end holds: one that fails is enough. */
         {"fffff", RL_VERDICT_FAILS, 3.0, 2.9, 3.1, figure, "at R_r 30; "},
         {"uuuuf", RL_VERDICT_FAILS, 5.0, 4.9, 5.1, figure, "at R_r 1000; R_r 1: 1; "},
@@ -95,6 +104,30 @@ static void nothing_measured_says_nothing(void **state)
     struct rl_claim c = concluded("-hhh-", fresh);
     assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
     assert_true(isnan(c.value));
+}
+
+/* Where a count of normals is asked for there may be none at all. */
+static void what_ends_it_may_be_infinite(void **state)
+{
+    (void)state;
+    static const struct {
+        struct rl_step next;
+        const char *unit, *note;
+    } rows[] = {
+        {{10.0, INFINITY, INFINITY, INFINITY, RL_VERDICT_FAILS}, "normals", "next, R_r 10, fails: none; "},
+        {{10.0, INFINITY, 900.0, INFINITY, RL_VERDICT_INCONCLUSIVE},
+         "normals",
+         "next, R_r 10, is undecided: none, or 900 normals; "},
+        {{10.0, 1.0, 0.9, 1.25, RL_VERDICT_INCONCLUSIVE}, "1", "next, R_r 10, is undecided: 1 [0.9, 1.25]; "},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_claim c = fresh;
+        struct rl_step step[2] = {{1.0, 5.0, 4.0, 6.0, RL_VERDICT_HOLDS}, rows[i].next};
+        rl_judging_conclude(&c, step, 2, rows[i].unit);
+        assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+        if (strncmp(c.note, rows[i].note, strlen(rows[i].note)) != 0)
+            fail_msg("row %zu: '%s', expected '%s...'", i, c.note, rows[i].note);
+    }
 }
 
 /* A judge's own number, such as the worst of all, stays only where it cannot mislead. */
@@ -141,6 +174,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_number_carries_the_verdict),
         cmocka_unit_test(nothing_measured_says_nothing),
+        cmocka_unit_test(what_ends_it_may_be_infinite),
         cmocka_unit_test(own_numbers),
         cmocka_unit_test(ratios),
     };
