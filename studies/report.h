@@ -22,7 +22,8 @@ struct rl_report_data {
 int rl_report_load(struct rl_report_data *data, const char *database, struct rl_error *error);
 void rl_report_clear(struct rl_report_data *data);
 
-/* Writes all tables into `folder`, which is made if need be. */
+/* Writes the tables of all studies of which something was measured into `folder`, which is made if need be, and removes those of others
+ * from it. A table of a measured study may be without rows: its plots read it. */
 int rl_report_export(const struct rl_report_data *data, const char *folder, enum rl_export_format format,
                      struct rl_error *error);
 

@@ -67,6 +67,17 @@ static int write_table(struct rl_buffer *text, const char *folder, const char *n
     return status;
 }
 
+/* What an earlier export left there would be taken for this one's. */
+static void remove_tables(const struct rl_table *tables, size_t n, const char *folder,
+                          enum rl_export_format format)
+{
+    char path[PATH_MAX];
+    for (size_t t = 0; t < n; t++) {
+        snprintf(path, sizeof path, "%s/%s%s", folder, tables[t].name, rl_export_ending(format));
+        remove(path);
+    }
+}
+
 static int write_tables(const struct rl_table *tables, size_t n, const struct rl_run *run, const char *folder,
                         enum rl_export_format format, struct rl_error *error)
 {
@@ -157,6 +168,11 @@ int rl_report_export(const struct rl_report_data *data, const char *folder, enum
     int status = rl_directory_create(folder, error);
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++) {
         const struct rl_study *s = rl_studies[i];
+        if (rl_run_count(&data->run[i], RL_RECORD_OK) == 0) {
+            remove_tables(s->tables, s->n_tables, folder, format);
+            remove_tables(s->derived_tables, s->n_derived_tables, folder, format);
+            continue;
+        }
         status = write_tables(s->tables, s->n_tables, &data->run[i], folder, format, error);
         if (status == RL_OK)
             status = write_tables(s->derived_tables, s->n_derived_tables, &data->derived[i], folder, format,

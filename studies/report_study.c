@@ -131,6 +131,8 @@ static void add_each_table(struct rl_buffer *text, const struct rl_table *tables
 {
     for (size_t t = 0; t < n; t++) {
         char file[128];
+        if (!rl_run_find(run, NULL, tables[t].pattern))
+            continue;
         snprintf(file, sizeof file, "%s.tsv", tables[t].name);
         rl_report_table(text, tables, t, run, file);
     }
