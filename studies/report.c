@@ -47,6 +47,15 @@ static void add_counts(struct rl_buffer *page, const struct rl_claims *claims, c
     rl_buffer_add(page, "</td>");
 }
 
+/* A row's last cell. */
+static void add_seconds(struct rl_buffer *page, const double seconds[RL_SPENT_KINDS])
+{
+    double all = 0.0;
+    for (int k = 0; k < RL_SPENT_KINDS; k++)
+        all += seconds[k];
+    rl_buffer_printf(page, "<td class=\"number\">%.1f s</td></tr>\n", all);
+}
+
 /* The verdicts of all studies at a glance. */
 static void add_summary(struct rl_buffer *page, const struct rl_report_page *p)
 {
@@ -64,7 +73,9 @@ static void add_summary(struct rl_buffer *page, const struct rl_report_page *p)
         "follows from their method. <a href=\"claims.tsv\">claims.tsv</a> has them all.</p>\n"
         "<div class=\"scroll wide\"><table class=\"summary\"><thead><tr><th>Study</th><th>What it "
         "measures</th>"
-        "<th>The paper's claims</th><th>Ours</th><th class=\"number\">Cases</th></tr></thead>\n<tbody>\n");
+        "<th>The paper's claims</th><th>Ours</th><th class=\"number\">Cases</th><th "
+        "class=\"number\">Time</th></tr></thead>\n<tbody>\n");
+    double all[RL_SPENT_KINDS] = {0};
     for (size_t i = 0; i < rl_n_studies; i++) {
         const struct rl_run *run = &p->data->run[i];
         if (run->n_records == 0)
@@ -74,12 +85,19 @@ static void add_summary(struct rl_buffer *page, const struct rl_report_page *p)
         rl_buffer_add(page, "</td>");
         add_counts(page, claims, run->study, 'p');
         add_counts(page, claims, run->study, 'o');
-        rl_buffer_printf(page, "<td class=\"number\">%zu</td></tr>\n", rl_run_count(run, RL_RECORD_OK));
+        double seconds[RL_SPENT_KINDS] = {0};
+        rl_report_spent(seconds, run);
+        rl_report_spent(all, run);
+        rl_buffer_printf(page, "<td class=\"number\">%zu</td>", rl_run_count(run, RL_RECORD_OK));
+        add_seconds(page, seconds);
     }
     rl_buffer_printf(page, "<tr><th>all</th><th>%zu claims</th>", claims->n);
     add_counts(page, claims, NULL, 'p');
     add_counts(page, claims, NULL, 'o');
-    rl_buffer_add(page, "<td></td></tr>\n</tbody></table></div>\n");
+    rl_buffer_add(page, "<td></td>");
+    add_seconds(page, all);
+    rl_buffer_add(page, "</tbody></table></div>\n");
+    rl_report_add_spent(page, all, "all cases");
 }
 
 /* A study's claims in short. */

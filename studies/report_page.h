@@ -9,6 +9,7 @@
 #include "results/plot.h"
 #include "results/verdicts.h"
 #include "studies/report.h"
+#include "studies/spent.h"
 #include "studies/study.h"
 
 /* A figure of one scene: its files and its anchor. */
@@ -47,6 +48,11 @@ void rl_report_navigation(struct rl_buffer *text, const struct rl_report_page *p
 
 /* Writes the text as FOLDER/name. */
 int rl_report_write(const struct rl_report_page *page, const struct rl_buffer *text, const char *name);
+
+/* Adds where the time of the run's groups went to `seconds`; what was asked for but not measured anew counts as when it was. */
+void rl_report_spent(double seconds[RL_SPENT_KINDS], const struct rl_run *run);
+/* A line that says it in words; nothing if there is none. */
+void rl_report_add_spent(struct rl_buffer *text, const double seconds[RL_SPENT_KINDS], const char *of);
 
 /* Whether any case of the run was measured. */
 bool rl_report_measured(const struct rl_run *run);

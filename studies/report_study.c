@@ -13,6 +13,33 @@ bool rl_report_measured(const struct rl_run *run)
     return rl_run_count(run, RL_RECORD_OK) > 0;
 }
 
+void rl_report_spent(double seconds[RL_SPENT_KINDS], const struct rl_run *run)
+{
+    for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, ""));)
+        for (int k = 0; k < RL_SPENT_HARNESS; k++) {
+            char name[RL_NAME_MAX];
+            snprintf(name, sizeof name, "spent_%s", rl_spent_name((enum rl_spent_kind)k));
+            const struct rl_metric *m = rl_record_metric(r, name);
+            seconds[k] += m ? m->value : 0.0;
+        }
+}
+
+void rl_report_add_spent(struct rl_buffer *text, const double seconds[RL_SPENT_KINDS], const char *of)
+{
+    char words[256];
+    double all = 0.0;
+    for (int k = 0; k < RL_SPENT_KINDS; k++)
+        all += seconds[k];
+    if (!(all > 0.0))
+        return;
+    rl_spent_text(words, sizeof words, seconds);
+    rl_buffer_printf(
+        text,
+        "<p class=\"spent\">%s. Where the time of %s went, by <a href=\"spent.tsv\">spent.tsv</a>; "
+        "plans and the database are not in it.</p>\n",
+        words, of);
+}
+
 void rl_report_navigation(struct rl_buffer *text, const struct rl_report_page *page, size_t here)
 {
     rl_buffer_add(text,
@@ -206,6 +233,9 @@ static int write_study(const struct rl_report_page *page, size_t i)
     rl_html_text(&text, study->summary);
     rl_buffer_add(&text, ".</p>\n");
     rl_html_element(&text, "p", study->text);
+    double seconds[RL_SPENT_KINDS] = {0};
+    rl_report_spent(seconds, run);
+    rl_report_add_spent(&text, seconds, "its cases");
     rl_report_missing(&text, run);
     rl_buffer_add(&text, "<h2 id=\"claims\">Claims</h2>\n");
     rl_verdict_details(&text, &rows);

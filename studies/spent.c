@@ -36,7 +36,8 @@ void rl_spent_text(char text[], size_t size, const double seconds[RL_SPENT_KINDS
     for (int k = 0; k < RL_SPENT_KINDS; k++)
         all += seconds[k];
     size_t used = (size_t)snprintf(text, size, "%.1f s", all);
-    for (int k = 0; k < RL_SPENT_KINDS && used < size; k++)
+    int kinds = seconds[RL_SPENT_HARNESS] > 0.0 ? RL_SPENT_KINDS : RL_SPENT_HARNESS;
+    for (int k = 0; k < kinds && used < size; k++)
         used += (size_t)snprintf(text + used, size - used, "%s %.1f %% %s", k ? "," : ":",
                                  all > 0.0 ? 100.0 * seconds[k] / all : 0.0,
                                  k == RL_SPENT_SETUP ? "set-up" : rl_spent_name((enum rl_spent_kind)k));

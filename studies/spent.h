@@ -39,7 +39,8 @@ void rl_spent_begin(struct rl_spent *spent, enum rl_spent_kind kind);
 /* From now on; gives what it was before. */
 enum rl_spent_kind rl_spent_on(struct rl_spent *spent, enum rl_spent_kind kind);
 
-/* "39.2 s: 71.0 % measured, 22.4 % reference, 3.1 % set-up, 2.6 % evaluation, 0.9 % harness" */
+/* "39.2 s: 71.0 % measured, 22.4 % reference, 3.1 % set-up, 2.6 % evaluation, 0.9 % harness"; without the harness where that has no
+ * time, as groups have none. */
 void rl_spent_text(char text[], size_t size, const double seconds[RL_SPENT_KINDS]);
 
 #endif

@@ -160,6 +160,16 @@ check "the report is made" [ $? -eq 0 ]
 page=$tmp/report/index.html
 pages=$(cd "$tmp/report" && echo *.html)
 check "an overview, and a page a study ($pages)" [ "$pages" = "accuracy.html fps.html index.html samples.html" ]
+check "the tables beside them have rows" [ -z "$(wc -l "$tmp"/report/*.tsv | awk '$1 < 2')" ]
+check "each page says where its study's time went" [ "$(sed -n 's/^<p class="spent">[0-9.]* s: [0-9.]* % measured, [0-9.]* % reference, [0-9.]* % set-up, [0-9.]* % evaluation.*/spent/p' \
+    "$tmp/report/samples.html" "$tmp/report/fps.html" "$tmp/report/accuracy.html" | wc -l)" -eq 3 ]
+# The shares are those of the table spent, over all groups of the study.
+said=$(sed -n 's/^<p class="spent">\([0-9.]*\) s: \([0-9.]*\) % measured.*/\1 \2/p' "$tmp/report/samples.html")
+summed=$(awk -F "$tab" '$1 == "samples" { m += $4; all += $4 + $5 + $6 + $7 } END { printf "%.1f %.1f", all, 100 * m / all }' \
+    "$tmp/report/spent.tsv")
+check "of samples $said, as its table has it ($summed)" [ "$said" = "$summed" ]
+check "and the overview of each and of all" [ "$(grep -c 'class="spent"' "$page")" -eq 1 -a \
+    "$(grep -o '<td class="number">[0-9.]* s</td>' "$page" | wc -l)" -eq 4 ]
 check "they refer to nothing outside" [ -z "$(grep -o '\(src\|href\)="[a-z]*:[^"]*"' "$tmp"/report/*.html)" ]
 # Every "page.html#anchor", "file" and "#anchor", held against the files that are there and the pages' anchors.
 broken=$(cd "$tmp/report" && awk '

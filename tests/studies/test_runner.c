@@ -204,6 +204,9 @@ static void test_shares_as_text(void **state)
     rl_spent_text(text, sizeof text, seconds);
     assert_string_equal(text, "10.0 s: 70.0 % measured, 20.0 % reference, 5.0 % set-up, 3.0 % evaluation, "
                               "2.0 % harness");
+    static const double group[RL_SPENT_KINDS] = {[RL_SPENT_MEASURED] = 3.0, [RL_SPENT_SETUP] = 1.0};
+    rl_spent_text(text, sizeof text, group);
+    assert_string_equal(text, "4.0 s: 75.0 % measured, 0.0 % reference, 25.0 % set-up, 0.0 % evaluation");
 }
 
 static void test_retries_on_request(void **state)
