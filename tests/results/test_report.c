@@ -233,6 +233,42 @@ static void test_anchors(void **state)
     rl_run_clear(&run);
 }
 
+/* A list that is closed on the screen is closed on paper: there its summary names the file that has it all. */
+static void test_print(void **state)
+{
+    (void)state;
+    struct rl_claims claims = {0};
+    struct rl_claim *c = add_claim(&claims, "samples", "one", "ours: x");
+    free(c->identity);
+    c->n_cases = 5;
+    c->identity = calloc(c->n_cases, sizeof *c->identity);
+    assert_non_null(c->identity);
+    struct rl_verdict_rows rows;
+    assert_int_equal(rl_verdict_rows_make(&rows, &claims, "samples", NULL), RL_OK);
+    struct rl_buffer page = {0};
+    rl_html_begin(&page, "x");
+    rl_verdict_details(&page, &rows);
+    assert_non_null(strstr(page.data, "<details class=\"cases\" data-file=\"claims.tsv\"><summary>5 cases"));
+    const char *print = strstr(page.data, "@media print{");
+    assert_non_null(print);
+    assert_non_null(
+        strstr(print, "details[data-file]:not([open])>summary::after{content:\", in \" attr(data-file)}"));
+    rl_buffer_clear(&page);
+    rl_verdict_rows_clear(&rows);
+    rl_claims_clear(&claims);
+
+    static const struct rl_column column[] = {{"scene", RL_COLUMN_SCENE, NULL}};
+    const struct rl_table table = {"t", "what it holds", "", column, 1};
+    struct rl_place place = {"samples", "one", "one.yaml", 1};
+    struct rl_run run = {.study = "samples"};
+    for (int i = 0; i < 17; i++)
+        rl_run_add(&run, &place, 0, NULL, "i=%d", i)->status = RL_RECORD_OK;
+    rl_report_table(&page, &table, 0, &run, "t.tsv");
+    assert_non_null(strstr(page.data, "<details data-file=\"t.tsv\"><summary>what it holds (17 rows)"));
+    rl_buffer_clear(&page);
+    rl_run_clear(&run);
+}
+
 static void test_count(void **state)
 {
     (void)state;
@@ -272,9 +308,9 @@ static void test_badges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_escaping), cmocka_unit_test(test_page),   cmocka_unit_test(test_names),
-        cmocka_unit_test(test_values),   cmocka_unit_test(test_rows),   cmocka_unit_test(test_anchors),
-        cmocka_unit_test(test_count),    cmocka_unit_test(test_badges),
+        cmocka_unit_test(test_escaping), cmocka_unit_test(test_page),  cmocka_unit_test(test_names),
+        cmocka_unit_test(test_values),   cmocka_unit_test(test_rows),  cmocka_unit_test(test_anchors),
+        cmocka_unit_test(test_print),    cmocka_unit_test(test_count), cmocka_unit_test(test_badges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
