@@ -1,4 +1,5 @@
 /* The claims that the study `accuracy` judges about one scene's images, from seconds by round. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -38,6 +39,15 @@ static size_t quiet_rounds(double x[ROUNDS_MAX], double y[ROUNDS_MAX], const str
     return n;
 }
 
+/* Of fewer than six rounds the median's interval is none of 95 % (measure/statistics.h): the number stands without one, and decides
+ * nothing. */
+static struct rl_interval certain(struct rl_interval x, size_t rounds)
+{
+    if (rounds < 6)
+        x.low = x.high = NAN;
+    return x;
+}
+
 static int claim_seconds(const struct rl_judging *j, double bar)
 {
     char text[160];
@@ -50,7 +60,7 @@ static int claim_seconds(const struct rl_judging *j, double bar)
         seconds_of(j, "part=images method=reference tolerance=1e-06 threads=2 width=640 height=480");
     if (!s)
         return RL_OK;
-    struct rl_interval x = rl_median_interval(s->value, s->n, 0.95);
+    struct rl_interval x = certain(rl_median_interval(s->value, s->n, 0.95), s->n);
     rl_claim_value(c, x.value, x.low, x.high, "s");
     c->verdict = rl_verdict_at_most(x.low, x.high, bar);
     snprintf(c->note, sizeof c->note, "%zu rounds, by the clock on the wall, on %.100s", s->n,
@@ -78,7 +88,7 @@ static int claim_speed_up(const struct rl_judging *j)
              rl_record_series(one, "seconds")->n, others_most);
     if (n == 0)
         return RL_OK;
-    struct rl_interval times = rl_ratio_interval(x, y, n, 0.95);
+    struct rl_interval times = certain(rl_ratio_interval(x, y, n, 0.95), n);
     rl_claim_value(c, times.value, times.low, times.high, "times");
     c->verdict = rl_verdict_at_least(times.low, times.high, 1.8);
     return RL_OK;
@@ -95,11 +105,11 @@ static int claim_growth(const struct rl_judging *j)
                            *fine = seconds_of(j, "part=images method=reference tolerance=1e-08");
     if (!coarse || !fine)
         return RL_OK;
-    struct rl_interval x =
-        rl_ratio_interval(fine->value, coarse->value, fine->n < coarse->n ? fine->n : coarse->n, 0.95);
+    size_t n = fine->n < coarse->n ? fine->n : coarse->n;
+    struct rl_interval x = certain(rl_ratio_interval(fine->value, coarse->value, n, 0.95), n);
     rl_claim_value(c, x.value, x.low, x.high, "times");
     c->verdict = rl_verdict_at_most(x.low, x.high, 2.0);
-    snprintf(c->note, sizeof c->note, "paired by round; Monte Carlo: 1e10 times");
+    snprintf(c->note, sizeof c->note, "%zu rounds, paired; Monte Carlo: 1e10 times", n);
     return RL_OK;
 }
 
@@ -123,7 +133,7 @@ static int claim_exhaustive(const struct rl_judging *j)
              n, rl_record_series(r, "seconds")->n, others_most, j->run->provenance.cpu);
     if (n == 0)
         return RL_OK;
-    struct rl_interval x = rl_median_interval(seconds, n, 0.95);
+    struct rl_interval x = certain(rl_median_interval(seconds, n, 0.95), n);
     rl_claim_value(c, texels / x.value, texels / x.high, texels / x.low, "texel-normals/s");
     c->verdict = rl_verdict_at_least(c->low, c->high, 1e9);
     return RL_OK;

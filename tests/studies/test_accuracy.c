@@ -210,7 +210,7 @@ static void test_plan(void **state)
     }
 }
 
-enum { POINTS = 100, ROUNDS = 6 };
+enum { POINTS = 100, ROUNDS = 7 };
 
 /* What a made-up world is like. */
 struct world {
@@ -367,9 +367,38 @@ static void test_missing(void **state)
     rl_run_clear(&run);
 }
 
+/* The smallest and largest of five rounds, or one round alone, are no interval of 95 %: they decide nothing. */
+static void test_few_rounds(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"takes at most 2 s on two cores",
+                                        "at least 1.8 times as fast as one"};
+    for (size_t n = 1; n <= ROUNDS; n++)
+        for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+            struct rl_run run;
+            struct world w = usual;
+            w.others = 0.02;
+            w.one_s = 1.3;
+            make(&run, &w);
+            for (size_t k = 0; k < run.n_records; k++)
+                for (size_t s = 0; s < run.record[k].n_series; s++)
+                    if (rl_parameters_match(run.record[k].parameters, "part=images"))
+                        run.record[k].series[s].n = n;
+            struct rl_claim c = claim_of("accuracy", &run, words[i]);
+            assert_false(isnan(c.value));
+            assert_int_equal(isnan(c.low) && isnan(c.high), n < 6);
+            if (n < 6)
+                assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+            else if (i == 0)
+                assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+            rl_run_clear(&run);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_few_rounds),
         cmocka_unit_test(test_points_are_fixed),
         cmocka_unit_test(test_points_are_as_promised),
         cmocka_unit_test(test_measures_points),
