@@ -19,6 +19,8 @@ struct work {
     size_t n_planned;
     struct rl_planned **planned;
     struct rl_eta eta;
+    /* Of all studies. Progress is told in cases, since that is what the summary counts. */
+    size_t cases_done, cases_pending;
 };
 
 /* One group, for a study: a case that was not measured, or whose measurement is asked for anew, is open and so is its group. */
@@ -91,7 +93,7 @@ static int measure_group(struct work *w, struct rl_planned *p, size_t first, str
     return rl_database_store(w->database, &p->run, first, n, error);
 }
 
-/* Notes which groups of a study are to be measured, and counts them; of the others the outcome is known. */
+/* Notes which groups of a study are to be measured, and counts their cases; of the others the outcome is known. */
 static int look_ahead(struct work *w, const struct rl_run *run, size_t *pending, struct rl_error *error)
 {
     struct rl_run times = {0};
@@ -107,11 +109,30 @@ static int look_ahead(struct work *w, const struct rl_run *run, size_t *pending,
             *(state == RL_RECORD_OK ? &w->outcome->skipped : &w->outcome->failed) += end - first;
         } else if (status == RL_OK) {
             status = rl_eta_add(&w->eta, run, first, &times, error);
-            ++*pending;
+            *pending += end - first;
+            w->cases_pending += end - first;
         }
     }
     rl_run_clear(&times);
     return status;
+}
+
+/* Of a group that need not be measured after all; returns by how many cases fewer are pending. */
+static size_t drop(struct work *w, const struct rl_run *run, size_t first)
+{
+    size_t groups = w->eta.total;
+    rl_eta_dropped(&w->eta, &run->record[first]);
+    size_t n = w->eta.total < groups ? rl_group_end(run, first) - first : 0;
+    w->cases_pending -= n;
+    return n;
+}
+
+static void tell(struct work *w, const struct rl_planned *p, size_t finished, size_t pending)
+{
+    char what[RL_NAME_MAX + 16];
+    snprintf(what, sizeof what, "%s: cases", p->study->name);
+    rl_progress_overall(w->progress, w->cases_done, w->cases_pending, rl_eta_seconds(&w->eta));
+    rl_progress_update(w->progress, what, finished, pending);
 }
 
 /* Measures what is open. Each group is looked up once more, just before: another study may have the same case. */
@@ -119,14 +140,14 @@ static int measure(struct work *w, struct rl_planned *p, size_t pending, struct 
 {
     size_t finished = 0;
     int status = rl_database_begin_run(w->database, &p->run, error);
-    for (size_t first = 0; first < p->run.n_records && status == RL_OK;
-         first = rl_group_end(&p->run, first)) {
+    for (size_t first = 0, end; first < p->run.n_records && status == RL_OK; first = end) {
         enum rl_record_status state = RL_RECORD_PLANNED;
+        end = rl_group_end(&p->run, first);
         if (!rl_group_wanted(&p->run, first, w->options))
             continue;
         status = group_state(w, &p->run, first, &state, error);
         if (state != RL_RECORD_PLANNED)
-            rl_eta_dropped(&w->eta, &p->run.record[first]);
+            pending -= drop(w, &p->run, first);
         if (status != RL_OK || state != RL_RECORD_PLANNED)
             continue;
         if (rl_progress_cancelled(w->progress))
@@ -134,8 +155,9 @@ static int measure(struct work *w, struct rl_planned *p, size_t pending, struct 
         status = measure_group(w, p, first, error);
         if (status == RL_OK) {
             rl_eta_measured(&w->eta, &p->run.record[first]);
-            rl_progress_overall(w->progress, w->eta.done, w->eta.total, rl_eta_seconds(&w->eta));
-            rl_progress_update(w->progress, p->study->name, ++finished, pending);
+            finished += end - first;
+            w->cases_done += end - first;
+            tell(w, p, finished, pending);
         }
     }
     return status;
@@ -149,7 +171,7 @@ static int measure_all(struct work *w, struct rl_error *error)
     for (size_t i = 0; i < w->n_planned && status == RL_OK; i++)
         status = look_ahead(w, &w->planned[i]->run, &pending[i], error);
     if (status == RL_OK && w->eta.total > 0)
-        rl_progress_overall(w->progress, 0, w->eta.total, rl_eta_seconds(&w->eta));
+        rl_progress_overall(w->progress, 0, w->cases_pending, rl_eta_seconds(&w->eta));
     for (size_t i = 0; i < w->n_planned && status == RL_OK; i++)
         status = measure(w, w->planned[i], pending[i], error);
     free(pending);

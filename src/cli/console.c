@@ -37,7 +37,7 @@ static void print_time(char *text, size_t size, double seconds)
         snprintf(text, size, "%ld h %02ld min", (long)seconds / 3600, (long)seconds / 60 % 60);
 }
 
-/* "; all studies: 17 of 80 groups, about 12 min 05 s left" */
+/* "; of all: 17 of 80, about 12 min 05 s left" */
 static void print_overall(char *text, size_t size, const struct rl_console *c)
 {
     char time[32];
@@ -111,7 +111,7 @@ static void overall(void *user, size_t done, size_t total, double seconds_left)
     char time[32];
     print_time(time, sizeof time, seconds_left);
     if (done == 0 && seconds_left >= announced)
-        fprintf(stderr, "%zu groups of cases to measure, in about %s\n", total, time);
+        fprintf(stderr, "%zu cases to measure, in about %s\n", total, time);
     c->done = done;
     c->total = total;
     c->left = seconds_left;

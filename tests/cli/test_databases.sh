@@ -23,7 +23,7 @@ refused() {
     shift 2
     "$@" >"$tmp/stdout" 2>"$tmp/stderr"
     code=$?
-    grep -v '^samples: \|^[0-9]* groups of cases to measure' "$tmp/stderr" >"$tmp/said" # progress, where something was measured before
+    grep -v '^samples: cases: \|^[0-9]* cases to measure' "$tmp/stderr" >"$tmp/said" # progress, where something was measured before
     if [ $code -eq 2 ] && [ "$(wc -l <"$tmp/said")" -eq 1 ] && grep -Eq -- "$pattern" "$tmp/said" && [ ! -s "$tmp/stdout" ]; then
         ok "$name"
     else

@@ -81,7 +81,7 @@ rm -rf "$tmp/long"
 "$rl" study run samples fps --quick --db "$db" 2>"$tmp/stderr"
 check "the next run finishes" [ $? -eq 0 ]
 check "a study done, it says how far it is and how long the rest may take" \
-    grep -q "^samples: .* in .* s; of all: [0-9]* of [0-9]*, about [0-9]* s left" "$tmp/stderr"
+    grep -q "^samples: cases: .* in .* s; of all: [0-9]* of [0-9]*, about [0-9]* s left" "$tmp/stderr"
 check "and says where its time went" [ "$(tail -n 1 "$tmp/stderr" | sed 's/[0-9.][0-9.]*/N/g')" = \
     "N s: N % measured, N % reference, N % set-up, N % evaluation, N % harness" ]
 "$rl" study status --db "$db" >"$tmp/status.tsv"
