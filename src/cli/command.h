@@ -7,6 +7,9 @@
  *     const struct rl_command rl_command_render = {"render", "SCENE -o FILE", 1, 1, "render a scene", ..., options, run};
  *
  * An option with an argument takes the next word whatever it is, so that negative numbers need no quoting; --name=value works too.
+ *
+ * A command may have verbs (`roughlight study run`): then the first word that is no option is one of them, options are rows of one table
+ * that says which verbs take them, and each verb has a --help of its own, made from its row and that table.
  */
 #ifndef RL_CLI_COMMAND_H
 #define RL_CLI_COMMAND_H
@@ -34,14 +37,34 @@ struct rl_option {
     const char *help;
 };
 
+/* An option of some verbs: bit i stands for verb i. Rows of the same name may differ in what they tell, not in whether they take an
+ * argument. */
+struct rl_verb_option {
+    unsigned verbs;
+    struct rl_option option;
+};
+
+struct rl_verb;
+
 struct rl_arguments {
-    size_t n_positionals;
+    const struct rl_verb *verb; /* NULL: the command has none */
+    size_t n_positionals;       /* without the verb */
     const char *positional[RL_CLI_POSITIONALS_MAX];
     size_t n_given;
     struct {
         const struct rl_option *option;
         const char *value;
     } given[RL_CLI_GIVEN_MAX];
+};
+
+struct rl_verb {
+    const char *name;
+    const char *arguments; /* the usage line after the name */
+    size_t min_positionals, max_positionals;
+    const char *summary;
+    const char *description; /* paragraphs for --help, with examples */
+    void (*more_help)(void); /* prints what --help ends with; NULL: nothing */
+    int (*run)(const struct rl_arguments *arguments, struct rl_error *error); /* as rl_command.run */
 };
 
 struct rl_command {
@@ -52,7 +75,10 @@ struct rl_command {
     const char *description;                /* paragraphs for --help, with examples */
     const struct rl_option *const *options; /* lists of options, NULL at the end */
     void (*more_help)(void);                /* prints what --help ends with; NULL: nothing */
-    /* Returns an rl_exit; on RL_EXIT_USAGE or RL_EXIT_CHECK with a message in `error`, main prints it. */
+    const struct rl_verb *verbs;            /* one without a name ends them; NULL: none */
+    const struct rl_verb_option *verb_options;
+    /* Returns an rl_exit; on RL_EXIT_USAGE or RL_EXIT_CHECK with a message in `error`, main prints it. NULL: each
+     * verb has its own. */
     int (*run)(const struct rl_arguments *arguments, struct rl_error *error);
 };
 
@@ -75,7 +101,9 @@ int rl_argument_number(const struct rl_arguments *arguments, const char *name, d
 /* A finite number that is all of `text`; false if it is not. */
 bool rl_text_number(const char *text, double *value);
 
-void rl_command_help(const struct rl_command *command);
+/* Prints the help that these words ask for: the command's, or that of the verb among them. RL_ERR_INPUT: a word where a verb should
+ * be is none. */
+int rl_command_help(const struct rl_command *command, int argc, char **argv, struct rl_error *error);
 
 /* The exit code that stands for an rl_status. */
 int rl_exit_of(int status);

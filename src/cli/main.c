@@ -46,21 +46,43 @@ static const struct rl_command *find(const char *name)
     return NULL;
 }
 
+/* Prints the message, if there is one, with the command that it comes from. */
+static int conclude(const struct rl_command *command, const struct rl_verb *verb, int code,
+                    struct rl_error *error)
+{
+    if (code == RL_EXIT_OK && rl_output_check(error) != RL_OK)
+        code = RL_EXIT_USAGE;
+    if (code != RL_EXIT_OK && error->message[0] != '\0')
+        fprintf(stderr, "roughlight %s%s%s: %s\n", command->name, verb ? " " : "", verb ? verb->name : "",
+                error->message);
+    return code;
+}
+
 static int run(const struct rl_command *command, int argc, char **argv)
 {
     struct rl_error error = {0};
-    struct rl_arguments arguments;
-    int code;
-    if (rl_simd_check(&error) != RL_OK ||
-        rl_arguments_parse(&arguments, command, argc, argv, &error) != RL_OK)
-        code = RL_EXIT_USAGE;
-    else
-        code = command->run(&arguments, &error);
-    if (code == RL_EXIT_OK && rl_output_check(&error) != RL_OK)
-        code = RL_EXIT_USAGE;
-    if (code != RL_EXIT_OK && error.message[0] != '\0')
-        fprintf(stderr, "roughlight %s: %s\n", command->name, error.message);
-    return code;
+    struct rl_arguments arguments = {0};
+    int code = RL_EXIT_USAGE;
+    if (rl_simd_check(&error) == RL_OK &&
+        rl_arguments_parse(&arguments, command, argc, argv, &error) == RL_OK)
+        code = (arguments.verb ? arguments.verb->run : command->run)(&arguments, &error);
+    return conclude(command, arguments.verb, code, &error);
+}
+
+static int help(const struct rl_command *command, int argc, char **argv)
+{
+    struct rl_error error = {0};
+    return conclude(command, NULL, rl_exit_of(rl_command_help(command, argc, argv, &error)), &error);
+}
+
+/* Of what stands before any command. */
+static int output_written(void)
+{
+    struct rl_error error = {0};
+    if (rl_output_check(&error) == RL_OK)
+        return RL_EXIT_OK;
+    fprintf(stderr, "roughlight: %s\n", error.message);
+    return RL_EXIT_USAGE;
 }
 
 int main(int argc, char **argv)
@@ -71,12 +93,12 @@ int main(int argc, char **argv)
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
         print_help();
-        return rl_output_check(NULL) == RL_OK ? RL_EXIT_OK : RL_EXIT_USAGE;
+        return output_written();
     }
     if (strcmp(argv[1], "--version") == 0) {
         printf("roughlight %s (%s%s)\n", rl_version.version, rl_version.commit,
                rl_version.dirty ? ", modified" : "");
-        return RL_EXIT_OK;
+        return output_written();
     }
     const struct rl_command *command = find(argv[1]);
     if (!command) {
@@ -84,9 +106,7 @@ int main(int argc, char **argv)
         return RL_EXIT_USAGE;
     }
     for (int i = 2; i < argc && strcmp(argv[i], "--") != 0; i++)
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            rl_command_help(command);
-            return RL_EXIT_OK;
-        }
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
+            return help(command, argc - 2, argv + 2);
     return run(command, argc - 2, argv + 2);
 }

@@ -18,6 +18,10 @@ void rl_study_cache(char cache[PATH_MAX], const struct rl_arguments *arguments);
 size_t rl_study_name_failures(const struct rl_study *const *studies, size_t n, const char *database,
                               bool missing);
 
+/* What --axis takes, study by study; the tables that export writes, with their columns. */
+void rl_study_print_axes(void);
+void rl_study_print_tables(void);
+
 /* Each returns an rl_exit, as rl_command.run does. */
 int rl_study_run_command(const struct rl_arguments *arguments, struct rl_error *error);
 

@@ -22,13 +22,9 @@ int rl_study_merge_command(const struct rl_arguments *a, struct rl_error *error)
 {
     const struct rl_study *study[RL_CLI_GIVEN_MAX];
     size_t n = 0, named = 0;
-    if (a->n_positionals < 3)
-        return rl_exit_of(rl_fail(error, RL_ERR_INPUT,
-                                  "study merge: found %zu files, expected INTO and at least one FROM",
-                                  a->n_positionals - 1));
-    struct rl_merge_options options = {.into = a->positional[1],
-                                       .from = a->positional + 2,
-                                       .n_from = a->n_positionals - 2,
+    struct rl_merge_options options = {.into = a->positional[0],
+                                       .from = a->positional + 1,
+                                       .n_from = a->n_positionals - 1,
                                        .allow_mixed = rl_argument_flag(a, "allow-mixed")};
     int status = take_studies(study, &n, a, error);
     if (status != RL_OK)

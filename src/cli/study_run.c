@@ -22,18 +22,27 @@ struct request {
     struct rl_run_options run;
 };
 
-/* The studies named after `run`. */
+static bool is_among(const struct rl_study *study, const struct rl_study *const *studies, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (studies[i] == study)
+            return true;
+    return false;
+}
+
+/* The studies named, each once: their cases would be counted, and listed, twice. */
 static int take_studies(struct request *r, const struct rl_arguments *a, struct rl_error *error)
 {
-    r->n_studies = a->n_positionals - 1;
-    if (r->n_studies == 0)
-        return rl_fail(error, RL_ERR_INPUT, "study run: no study named; 'roughlight study list' lists them");
-    for (size_t i = 0; i < r->n_studies; i++) {
-        r->study[i] = rl_study_find(a->positional[i + 1]);
-        if (!r->study[i])
-            return rl_fail(error, RL_ERR_INPUT,
-                           "study run: there is no study '%s'; 'roughlight study list' lists them",
-                           a->positional[i + 1]);
+    if (a->n_positionals == 0)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "found no study, expected at least one; 'roughlight study list' lists them");
+    for (size_t i = 0; i < a->n_positionals; i++) {
+        const struct rl_study *study = rl_study_find(a->positional[i]);
+        if (!study)
+            return rl_fail(error, RL_ERR_INPUT, "there is no study '%s'; 'roughlight study list' lists them",
+                           a->positional[i]);
+        if (!is_among(study, r->study, r->n_studies))
+            r->study[r->n_studies++] = study;
     }
     return RL_OK;
 }
@@ -77,12 +86,28 @@ static int take_shard(struct rl_run_options *run, const struct rl_arguments *a, 
     return rl_fail(error, RL_ERR_INPUT, "--shard: found '%.40s', expected I/N with 1 <= I <= N", text);
 }
 
+/* Each once. */
+static void take_scenes(struct request *r, const struct rl_arguments *a)
+{
+    const char *name;
+    for (size_t i = 0; (name = rl_argument_nth(a, "scene", i)); i++) {
+        size_t k = 0;
+        while (k < r->run.n_scenes && strcmp(r->scene[k], name) != 0)
+            k++;
+        r->scene[k] = name;
+        r->run.n_scenes = k < r->run.n_scenes ? r->run.n_scenes : k + 1;
+    }
+    r->run.scenes = r->scene;
+}
+
 static int take_options(struct request *r, const struct rl_arguments *a, struct rl_error *error)
 {
     struct rl_run_options *run = &r->run;
     bool quick = rl_argument_flag(a, "quick"), full = rl_argument_flag(a, "full");
     if (quick && full)
-        return rl_fail(error, RL_ERR_INPUT, "--quick and --full: one of them, not both");
+        return rl_fail(error, RL_ERR_INPUT, "--quick and --full: found both, expected one of them");
+    if (rl_argument(a, "format") && !rl_argument_flag(a, "dry-run"))
+        return rl_fail(error, RL_ERR_INPUT, "--format has no effect without --dry-run: a run prints no rows");
     rl_study_cache(r->cache, a);
     run->cache = r->cache;
     run->database = rl_study_database(a);
@@ -90,11 +115,7 @@ static int take_options(struct request *r, const struct rl_arguments *a, struct 
     run->grid = quick ? RL_GRID_QUICK : full ? RL_GRID_FULL : RL_GRID_DEFAULT;
     run->retry = rl_argument_flag(a, "retry");
     run->again = rl_argument_flag(a, "again");
-    while (run->n_scenes < RL_CLI_GIVEN_MAX && rl_argument_nth(a, "scene", run->n_scenes)) {
-        r->scene[run->n_scenes] = rl_argument_nth(a, "scene", run->n_scenes);
-        run->n_scenes++;
-    }
-    run->scenes = r->scene;
+    take_scenes(r, a);
     int status = take_axes(r, a, error);
     if (status == RL_OK)
         status = take_shard(run, a, error);

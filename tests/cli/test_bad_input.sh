@@ -169,6 +169,46 @@ bad_option reference --repeat 0 "--repeat: found '0', expected a whole number fr
 bad "integrate: the printed frame has no density" "cubature: the printed frame has collapsed" \
     integrate --view 1,0,1 --normal 1,0,0 --rr 3 --light "$light" --method cubature --frame printed
 
+# study: every verb, and the options of the others
+bad "study without a verb" "^roughlight study: found nothing, expected list, run, status, export, merge, report or check$" study
+bad "an unknown verb" "^roughlight study: found 'runs', expected list, run" study runs
+bad "help of an unknown verb" "^roughlight study: found 'runs', expected list, run" study runs --help
+# VERB OPTION [VALUE]: those it belongs to
+while read -r verb option value verbs; do
+    [ "$value" = - ] && value=
+    # shellcheck disable=SC2086
+    bad "study $verb $option" "^roughlight study $verb: $option belongs to study $verbs$" study $verb $option $value
+done <<'END'
+list --shard 1/2 run
+list --output x export, report
+list --db x run, status, export, report
+status --quick - run
+status --output x export, report
+export --retry - run
+export --backend osmesa run, report, check
+report --scene foo run, check
+report --format json list, run, status, export, check
+merge --axis foo=bar run
+merge --db x run, status, export, report
+run --study samples merge
+run --write x check
+check --full - run
+check --axis rr=3 run
+check --allow-mixed - merge
+END
+bad "before the verb too" "^roughlight study list: --shard belongs to study run$" study --shard 1/2 list
+bad "study run: no study" "^roughlight study run: found no study, expected at least one; 'roughlight study list'" study run
+bad "study run: an unknown study" "^roughlight study run: there is no study 'sample'; 'roughlight study list'" study run samples sample
+bad "study run: an unknown option" "unknown option '--quik'; did you mean '--quick'" study run samples --quik
+bad "study list: an unknown option" "unknown option '--quik'; 'roughlight study list --help' lists them" study list --quik
+bad "study list: a name too many" "unexpected argument 'samples'; usage: roughlight study list " study list samples
+bad "study merge: one file" "an argument is missing; usage: roughlight study merge INTO FROM" study merge "$tmp/x.db"
+bad "study run: quick and full" "--quick and --full: found both" study run samples --quick --full
+bad "study run: rows of no dry run" "--format has no effect without --dry-run" study run samples --format json
+bad "study status: an empty name" "^roughlight study status: --db: found an empty name, which is none" study status --db ''
+bad "study export: an empty folder name" "--output: found an empty name, which is none" study export --output=
+bad "an empty positional" "found an empty argument, expected a name; usage: roughlight compare IMAGE" compare '' "$tmp/good.exr"
+
 # The instruction set
 for simd in SSE AVX512 best; do
     export ROUGHLIGHT_SIMD=$simd

@@ -29,15 +29,26 @@ exits() {
 }
 
 help_teaches() {
-    "$rl" "$1" --help >"$tmp/help" && grep -q "^usage: roughlight $1" "$tmp/help" && grep -q '^options:' "$tmp/help" &&
+    # shellcheck disable=SC2086
+    "$rl" $1 --help >"$tmp/help" && grep -q "^usage: roughlight $1" "$tmp/help" && grep -q '^options:' "$tmp/help" &&
         grep -q "  roughlight $1 " "$tmp/help"
 }
 
 check "help lists the commands" sh -c "'$rl' --help | grep -q integrate"
 check "version" sh -c "'$rl' --version | grep -Eq '^roughlight [0-9]+\.[0-9]+\.[0-9]+ '"
-for command in info plan render integrate probe compare study; do
+for command in info plan render integrate probe compare; do
     check "$command --help has usage, options and an example" help_teaches $command
 done
+verbs="list run status export merge report check"
+overview() { for verb in $verbs; do "$rl" study --help | grep -q "^  $verb  *[a-z]" || return 1; done; }
+check "study --help lists its verbs" overview
+for verb in $verbs; do
+    check "study $verb --help has usage, options and an example" help_teaches "study $verb"
+done
+short() { for verb in list status merge report check; do [ "$("$rl" study $verb --help | wc -l)" -le 30 ] || return 1; done; }
+own() { for verb in $verbs; do "$rl" study $verb --help | grep -q -e '--shard I' && echo $verb; done; }
+check "an option is in the help of its verbs alone" sh -c "[ \"$(own)\" = run ]"
+check "they are short where there are no tables" short
 
 # What a plan leaves out
 drops() {

@@ -123,8 +123,9 @@ for file in header stump half short pages; do
     cp "$tmp/$file.db" "$tmp/before"
     refused "$file: run" "/$file.db: (not an SQLite database|damaged)" run "$tmp/$file.db"
     refused "$file: dry run" "/$file.db: (not an SQLite database|damaged)" run "$tmp/$file.db" --dry-run
-    for verb in status export report; do
-        refused "$file: $verb" "/$file.db: (not an SQLite database|damaged)" "$rl" study $verb --db "$tmp/$file.db" -o "$tmp/out"
+    for verb in status "export -o $tmp/out" "report -o $tmp/out"; do
+        # shellcheck disable=SC2086
+        refused "$file: ${verb%% *}" "/$file.db: (not an SQLite database|damaged)" "$rl" study $verb --db "$tmp/$file.db"
     done
     refused "$file: merge into" "/$file.db: (not an SQLite database|damaged)" "$rl" study merge "$tmp/$file.db" "$tmp/good.db"
     refused "$file: merge from" "/$file.db: (not an SQLite database|damaged)" "$rl" study merge "$tmp/new.db" "$tmp/good.db" "$tmp/$file.db"

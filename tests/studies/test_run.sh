@@ -79,7 +79,7 @@ refused "no values" "expected NAME=VALUE" study run samples --axis rr --db "$db"
 for shard in 0/3 4/3 1 /3 1/ -1/3 1/3x 1.5/3; do
     refused "shard $shard" "found '$shard', expected I/N with 1 <= I <= N" study run samples --shard "$shard" --db "$db"
 done
-refused "merging nothing" "expected INTO and at least one FROM" study merge "$db"
+refused "merging nothing" "usage: roughlight study merge INTO FROM" study merge "$db"
 refused "merging what is not there" "nowhere.db: cannot open" study merge "$db" "$tmp/nowhere.db"
 refused "merging an unknown study" "no study 'sample'" study merge "$db" "$tmp/nowhere.db" --study sample
 check "none of this leaves a file" [ -z "$(find "$tmp" -name '*.db*')" ]
@@ -91,6 +91,10 @@ check "a dry run of nothing done" exits 0 "$rl" study run $one --dry-run --db "$
 mv "$tmp/stdout" "$tmp/dry.tsv"
 check "counts the cases" said "^dry run: 14 cases, 14 to be measured in 9 groups: the time of 9 groups is unknown"
 check "lists them" [ "$(column state "$tmp/dry.tsv" | sort | uniq -c | tr -s ' ')" = " 14 open" ]
+# shellcheck disable=SC2086
+check "a study and a scene named twice count once" exits 0 "$rl" study run samples $one --scene teapot-star --dry-run --db "$db"
+check "as the rows do" [ "$(wc -l <"$tmp/stdout")" -eq 15 ]
+check "and the sum" said "^dry run: 14 cases, 14 to be measured in 9 groups"
 check "writes nothing" [ -z "$(find "$tmp" -name '*.db*')" -a ! -e "$tmp/cache" ]
 
 # ---- An axis, measured and skipped -------------------------------------------------------------------------------
@@ -195,7 +199,7 @@ for table in samples claims; do
 done
 refused "an unknown format" "found 'xml', expected tsv, json or csv" study export --format xml --db "$db" -o "$tmp/xml"
 refused "csv where there is none" "found 'csv', expected tsv or json" study status --format csv --db "$db"
-"$rl" study --help >"$tmp/help"
+"$rl" study export --help >"$tmp/help"
 every_column() {
     for file in "$tmp"/tables/*.tsv; do
         for column in $(head -n 1 "$file"); do
@@ -203,9 +207,10 @@ every_column() {
         done
     done
 }
-check "--help has every column of every table" every_column
-check "--help says what can be swept" grep -q "away *a number from 0.001 to 1e+06 (of series=parallax)" "$tmp/help"
+check "export --help has every column of every table" every_column
+"$rl" study run --help >"$tmp/help"
+check "run --help says what can be swept" grep -q "away *a number from 0.001 to 1e+06 (of series=parallax)" "$tmp/help"
 check "and so does list" sh -c "'$rl' study list | grep '^budget' | grep -q 'rr, seeds, width, height, tolerance'"
-check "--help teaches axes" sh -c "'$rl' study --help | grep -q -- '--axis rr=1:1000:log4'"
-check "and shares" sh -c "'$rl' study --help | grep -q 'study merge all.db 1.db 2.db --study samples'"
+check "run --help teaches axes" sh -c "'$rl' study run --help | grep -q -- '--axis rr=1:1000:log4'"
+check "and shares" sh -c "'$rl' study run --help | grep -q 'study merge all.db 1.db 2.db --study samples'"
 echo "1..$n"
