@@ -228,6 +228,12 @@ bench: all
 	@for table in points images kernel; do cat $(BUILD)/tables/accuracy_$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy"' $(BUILD)/tables/claims.tsv
 
+# Before anything is built for it.
+all_faults := $(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch)))
+no_faults := $(filter-out $(all_faults),$(F:.patch=))
+$(if $(and $(no_faults),$(filter faults,$(GOALS))),\
+	$(error no fault is called '$(no_faults)'; there are: $(all_faults)))
+
 .PHONY: check-errors faults
 ## Has an error metric changed since tests/baseline.tsv? Rows on stdout, exit 1 if one is worse
 check-errors: all

@@ -8,6 +8,11 @@
 set -u
 build=${BUILD:-build}
 here=$(dirname "$0")
+for name; do
+    [ -f "$here/$(basename "$name" .patch).patch" ] && continue
+    echo "$0: no fault is called '$name'; there are: $(cd "$here" && echo *.patch | sed 's/\.patch//g')" >&2
+    exit 2
+done
 scratch=$(mktemp -d) || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM HUP
