@@ -30,8 +30,11 @@ static bool is_seen(const struct rl_scene *scene, const struct rl_object *o)
 int rl_scene_check(const struct rl_scene *scene, struct rl_error *error)
 {
     if (scene->n_lights == 0)
-        return rl_fail(error, RL_ERR_INPUT, "%s: found no light, expected at least one to study",
-                       scene->path);
+        return rl_fail(
+            error, RL_ERR_INPUT,
+            "%s: found no shaped light (and %zu without a shape), expected a polygon or mesh light "
+            "to study",
+            scene->path, scene->n_sources);
     size_t n = 0;
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_object *o = &scene->object[i];

@@ -24,12 +24,19 @@
     "  - {shape: sphere, material: a}\n  - {shape: sphere, material: b, translate: [0, 0, 9]}\n"
 #define LIGHT "lights:\n  - {polygon: [[-1, 3, 1], [1, 3, 1], [0, 3, 3]], radiance: [1, 1, 1]}\n"
 
+#define POINTS                                                                                               \
+    "lights:\n  - {position: [0, 9, 0], intensity: [1, 1, 1]}\n"                                             \
+    "  - {direction: [0, -1, 0], irradiance: [1, 1, 1]}\n"
+
 static const struct {
     const char *text, *message; /* NULL: fine */
 } rows[] = {
     {CAMERA("4") BALL LIGHT, NULL},
     {CAMERA("0.5") BALL LIGHT, NULL}, /* from within */
-    {CAMERA("4") BALL, "found no light, expected at least one"},
+    {CAMERA("4") BALL,
+     "found no shaped light (and 0 without a shape), expected a polygon or mesh light to study"},
+    {CAMERA("4") BALL POINTS,
+     "found no shaped light (and 2 without a shape), expected a polygon or mesh light"},
     {CAMERA("4") DULL LIGHT, "found no object with a highlight, expected one whose material has rr"},
     {CAMERA("400000") BALL LIGHT, "found no object with a highlight at any pixel of "},
     {CAMERA("4") DULL_BALL LIGHT, "found no object with a highlight at any pixel of "}, /* behind */
