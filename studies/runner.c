@@ -191,6 +191,19 @@ static int plan(struct work *w, const struct rl_study *const *studies, size_t n_
     return status;
 }
 
+/* A folder that is new may be a misspelt one: whoever looks on is told before hours go into it. */
+static int open_database(struct work *w, struct rl_error *error)
+{
+    char folder[PATH_MAX], text[PATH_MAX + 32];
+    rl_database_missing_folder(folder, w->options->database);
+    int status = rl_database_open(&w->database, w->options->database, RL_DATABASE_WRITE, error);
+    if (status == RL_OK && folder[0]) {
+        snprintf(text, sizeof text, "created the folder %s", folder);
+        rl_progress_note(w->progress, text);
+    }
+    return status;
+}
+
 int rl_studies_run(struct rl_run_outcome *outcome, const struct rl_study *const *studies, size_t n_studies,
                    const struct rl_run_options *options, const struct rl_progress *progress,
                    struct rl_error *error)
@@ -202,7 +215,7 @@ int rl_studies_run(struct rl_run_outcome *outcome, const struct rl_study *const 
         status = plan(&w, studies, n_studies, error);
     /* Not before: a request that cannot be carried out leaves no file behind. */
     if (status == RL_OK)
-        status = rl_database_open(&w.database, options->database, RL_DATABASE_WRITE, error);
+        status = open_database(&w, error);
     if (status == RL_OK)
         status = measure_all(&w, error);
     rl_eta_clear(&w.eta);

@@ -16,6 +16,8 @@ struct rl_progress {
     /* Of several pieces of work, each with updates of its own: how much of all is finished, and the seconds that the rest may take
      * (NaN: nobody knows). Called before the update that it goes with; may be NULL. */
     void (*overall)(void *user, size_t done, size_t total, double seconds_left);
+    /* One line on what was done and nobody asked for by name, such as a folder created. May be NULL. */
+    void (*note)(void *user, const char *text);
     void *user;
 };
 
@@ -31,6 +33,12 @@ static inline void rl_progress_overall(const struct rl_progress *progress, size_
 {
     if (progress && progress->overall)
         progress->overall(progress->user, done, total, seconds_left);
+}
+
+static inline void rl_progress_note(const struct rl_progress *progress, const char *text)
+{
+    if (progress && progress->note)
+        progress->note(progress->user, text);
 }
 
 static inline bool rl_progress_cancelled(const struct rl_progress *progress)

@@ -117,9 +117,15 @@ static void overall(void *user, size_t done, size_t total, double seconds_left)
     c->left = seconds_left;
 }
 
+static void note(void *user, const char *text)
+{
+    rl_console_end(user); /* not into an open line */
+    fprintf(stderr, "%s\n", text);
+}
+
 const struct rl_progress *rl_console_begin(struct rl_console *c)
 {
-    *c = (struct rl_console){.progress = {update, cancelled, overall, c},
+    *c = (struct rl_console){.progress = {update, cancelled, overall, note, c},
                              .terminal = isatty(STDERR_FILENO) == 1,
                              .next_started = rl_clock_seconds()};
     /* SA_RESETHAND: the second signal has its ordinary, deadly effect. */

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "cli/study.h"
+#include "results/database.h"
 #include "results/merge.h"
 
 /* Those given with --study. */
@@ -30,7 +31,11 @@ int rl_study_merge_command(const struct rl_arguments *a, struct rl_error *error)
     if (status != RL_OK)
         return rl_exit_of(status);
     struct rl_merge_outcome outcome;
+    char folder[PATH_MAX];
+    rl_database_missing_folder(folder, options.into);
     status = rl_database_merge(&outcome, &options, error);
+    if (status == RL_OK && folder[0])
+        fprintf(stderr, "created the folder %s\n", folder);
     if (status == RL_OK) {
         fprintf(stderr,
                 "%s: %zu cases copied, %zu there already, %zu measured twice with different results\n",

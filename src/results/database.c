@@ -41,6 +41,14 @@ static const char tables[] =
     "NULL,"
     " position INTEGER NOT NULL, value REAL, PRIMARY KEY(case_id, series, position)) WITHOUT ROWID;";
 
+void rl_database_missing_folder(char folder[PATH_MAX], const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(folder, PATH_MAX, "%.*s", slash ? (int)(slash - path) : 0, path);
+    if (access(folder, F_OK) == 0)
+        folder[0] = '\0';
+}
+
 static int take_lock(struct rl_database *db, struct rl_error *error)
 {
     char *copy = strdup(db->path);
@@ -141,6 +149,9 @@ static int open_file(struct rl_database *db, enum rl_database_mode mode, struct 
     struct stat info;
     if (mode == RL_DATABASE_READ && stat(db->path, &info) != 0)
         return rl_fail(error, RL_ERR_INPUT, "%s: cannot open: %s", db->path, strerror(errno));
+    if (mode == RL_DATABASE_READ && !S_ISREG(info.st_mode))
+        return rl_fail(error, RL_ERR_INPUT, "%s: not a regular file, a results database is expected",
+                       db->path);
     /* Reading opens the file for writing too where it may: what a killed writer left in its journal must be undone first. */
     int flags = mode == RL_DATABASE_WRITE || access(db->path, W_OK) == 0 ? SQLITE_OPEN_READWRITE
                                                                          : SQLITE_OPEN_READONLY;

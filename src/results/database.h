@@ -17,6 +17,7 @@
 #ifndef RL_RESULTS_DATABASE_H
 #define RL_RESULTS_DATABASE_H
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -29,6 +30,9 @@ enum rl_database_mode {
     RL_DATABASE_READ, /* the file must exist */
     RL_DATABASE_WRITE /* made, with its folder, if it does not exist; only one process at a time */
 };
+
+/* The folder that opening `path` for writing would create; "" if it is there. */
+void rl_database_missing_folder(char folder[PATH_MAX], const char *path);
 
 int rl_database_open(struct rl_database **db, const char *path, enum rl_database_mode mode,
                      struct rl_error *error);

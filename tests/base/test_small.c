@@ -44,7 +44,7 @@ static void test_hash(void **state)
 struct seen {
     size_t done, total, all_done, all_total;
     double seconds_left;
-    const char *what;
+    const char *what, *noted;
     bool stop;
 };
 
@@ -69,6 +69,11 @@ static void overall(void *user, size_t done, size_t total, double seconds_left)
     seen->seconds_left = seconds_left;
 }
 
+static void note(void *user, const char *text)
+{
+    ((struct seen *)user)->noted = text;
+}
+
 static void test_progress(void **state)
 {
     (void)state;
@@ -78,16 +83,20 @@ static void test_progress(void **state)
     rl_progress_update(&silent, "nobody looks", 1, 2);
     rl_progress_overall(NULL, 1, 2, 3.0);
     rl_progress_overall(&silent, 1, 2, 3.0);
+    rl_progress_note(NULL, "nobody listens");
+    rl_progress_note(&silent, "nobody listens");
     assert_false(rl_progress_cancelled(&silent));
 
     struct seen seen = {0};
-    const struct rl_progress progress = {update, cancelled, overall, &seen};
+    const struct rl_progress progress = {update, cancelled, overall, note, &seen};
     rl_progress_update(&progress, "tiles", 3, 8);
     assert_string_equal(seen.what, "tiles");
     assert_int_equal(seen.done, 3);
     assert_int_equal(seen.total, 8);
     rl_progress_overall(&progress, 5, 20, 1.5);
     assert_true(seen.all_done == 5 && seen.all_total == 20 && seen.seconds_left == 1.5);
+    rl_progress_note(&progress, "a folder");
+    assert_string_equal(seen.noted, "a folder");
     assert_false(rl_progress_cancelled(&progress));
     seen.stop = true;
     assert_true(rl_progress_cancelled(&progress));

@@ -101,6 +101,8 @@ check "writes nothing" [ -z "$(find "$tmp" -name '*.db*')" -a ! -e "$tmp/cache" 
 
 # shellcheck disable=SC2086
 check "a run with axes" exits 0 "$rl" study run $one --db "$db"
+check "counts cases on its way" said "^samples: cases: 14 of 14 in "
+check "creates no folder where there is one" [ "$(grep -c created "$tmp/stderr")" -eq 0 ]
 check "measures every combination" said "^14 cases: 14 measured, 0 done before, 0 failed"
 "$rl" study export --db "$db" -o "$tmp/tables" 2>/dev/null
 check "with these values" [ "$(column samples "$tmp/tables/samples.tsv" | sort -u | tr '\n' ' ')" = "0 1 4 " ] # the frame without a highlight has none
@@ -154,6 +156,7 @@ check "a study never run has a row of nothing" [ "$(row fps)" = " 0 0 0 0 " ]
 for i in 1 2 3; do
     # shellcheck disable=SC2086
     check "share $i of 3" exits 0 "$rl" study run $one --shard $i/3 --db "$tmp/$i/results.db"
+    check "says that it created a folder" said "^created the folder $tmp/$i$"
 done
 "$rl" study status --db "$tmp/1/results.db" >"$tmp/status.tsv"
 check "a share knows of the rest" [ "$(column planned "$tmp/status.tsv" | grep -cx 14)" -eq 1 -a "$(column open "$tmp/status.tsv" | sort -n | tail -n 1)" -gt 0 ]
