@@ -127,10 +127,10 @@ static int unknown_option(const struct rl_arguments *a, const struct rl_command 
                    command->name, a->verb ? " " : "", a->verb ? a->verb->name : "");
 }
 
-/* An empty name would end up in a message in which nobody sees it. Numbers and choices say themselves what they expect. */
+/* An empty name would end up in a message in which nobody sees it. Others say themselves what they expect. */
 static int check_name(const struct rl_option *option, const char *value, struct rl_error *error)
 {
-    static const char *const kinds[] = {"FILE", "DIR", "NAME"};
+    static const char *const kinds[] = {"FILE", "DIR"};
     for (size_t i = 0; value && *value == '\0' && i < sizeof kinds / sizeof kinds[0]; i++)
         if (strcmp(option->argument, kinds[i]) == 0)
             return rl_fail(error, RL_ERR_INPUT, "--%s: found an empty name, which is none, expected %s",

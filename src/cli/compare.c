@@ -2,6 +2,7 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "cli/command.h"
 #include "cli/output.h"
@@ -45,45 +46,66 @@ static int write_error_image(const char *path, const struct rl_image *image, con
     return status;
 }
 
-/* A signed error has no place in a PNG. */
-static int check_error_image(const char *path, struct rl_error *error)
+/* What was asked for beside the row. */
+struct request {
+    double most_rmse;
+    long long most_mismatched;
+    const char *error_image;
+    enum rl_output format;
+};
+
+/* Under whatever name. */
+static bool is_same_file(const char *a, const char *b)
 {
-    const char *dot = path ? strrchr(path, '.') : NULL;
-    if (!path || (dot && strcmp(dot, ".exr") == 0))
-        return RL_OK;
-    return rl_fail(error, RL_ERR_INPUT, "--error-image: found '%s', expected a file name ending in .exr",
-                   path);
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
+}
+
+/* A signed error has no place in a PNG. */
+static int check_error_image(const char *path, const struct rl_arguments *a, struct rl_error *error)
+{
+    const char *dot = strrchr(path, '.');
+    if (!dot || strcmp(dot, ".exr") != 0)
+        return rl_fail(error, RL_ERR_INPUT, "--error-image: found '%s', expected a file name ending in .exr",
+                       path);
+    if (is_same_file(path, a->positional[0]) || is_same_file(path, a->positional[1]))
+        return rl_fail(error, RL_ERR_INPUT,
+                       "--error-image: found '%s', expected another file than the images", path);
+    return rl_output_file_check(path, error);
+}
+
+static int take_request(struct request *request, const struct rl_arguments *a, struct rl_error *error)
+{
+    *request = (struct request){INFINITY, LLONG_MAX, rl_argument(a, "error-image"), RL_OUTPUT_TSV};
+    int status = rl_argument_number(a, "max-rmse", 0.0, 1e300, &request->most_rmse, error);
+    if (status == RL_OK)
+        status = rl_argument_integer(a, "max-mismatched", 0, LLONG_MAX, &request->most_mismatched, error);
+    if (status == RL_OK)
+        status = rl_argument_output(a, &request->format, error);
+    if (status == RL_OK && request->error_image)
+        status = check_error_image(request->error_image, a, error);
+    return status;
 }
 
 static int compare(const struct rl_image *image, const struct rl_image *reference,
-                   const struct rl_arguments *a, struct rl_error *error)
+                   const struct request *request, struct rl_error *error)
 {
-    double limit = INFINITY;
-    long long most_mismatched = LLONG_MAX;
-    enum rl_output format;
     struct rl_metrics metrics;
-    int status = rl_argument_number(a, "max-rmse", 0.0, 1e300, &limit, error);
-    if (status == RL_OK)
-        status = rl_argument_integer(a, "max-mismatched", 0, LLONG_MAX, &most_mismatched, error);
-    if (status == RL_OK)
-        status = check_error_image(rl_argument(a, "error-image"), error);
-    if (status == RL_OK)
-        status = rl_argument_output(a, &format, error);
-    if (status == RL_OK)
-        status = rl_metrics_compute(&metrics, image, reference, error);
+    int status = rl_metrics_compute(&metrics, image, reference, error);
     if (status != RL_OK)
         return status;
-    print_row(&metrics, format);
+    print_row(&metrics, request->format);
     if (metrics.nonfinite > 0)
         return rl_fail(error, RL_ERR_CHECK, "%zu values are not finite", metrics.nonfinite);
-    const char *path = rl_argument(a, "error-image");
-    if (path && (status = write_error_image(path, image, reference, error)) != RL_OK)
+    if (request->error_image &&
+        (status = write_error_image(request->error_image, image, reference, error)) != RL_OK)
         return status;
-    if (metrics.rmse > limit)
-        return rl_fail(error, RL_ERR_CHECK, "RMSE %g is above %g", metrics.rmse, limit);
-    if ((long long)metrics.mismatched > most_mismatched)
+    if (metrics.rmse > request->most_rmse)
+        return rl_fail(error, RL_ERR_CHECK, "RMSE %g is above %g", metrics.rmse, request->most_rmse);
+    if ((long long)metrics.mismatched > request->most_mismatched)
         return rl_fail(error, RL_ERR_CHECK, "%zu pixels are covered in one image only, more than %lld",
-                       metrics.mismatched, most_mismatched);
+                       metrics.mismatched, request->most_mismatched);
     return RL_OK;
 }
 
@@ -91,11 +113,14 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
 {
     struct rl_image image = {0};
     struct rl_image reference = {0};
-    int status = rl_image_read(&image, a->positional[0], error);
+    struct request request;
+    int status = take_request(&request, a, error);
+    if (status == RL_OK)
+        status = rl_image_read(&image, a->positional[0], error);
     if (status == RL_OK)
         status = rl_image_read(&reference, a->positional[1], error);
     if (status == RL_OK) {
-        status = compare(&image, &reference, a, error);
+        status = compare(&image, &reference, &request, error);
         if (status == RL_ERR_INPUT) /* sizes, channels or coverage: say of which files */
             rl_fail_prefix(error, "%s against %s", a->positional[0], a->positional[1]);
     }

@@ -46,12 +46,21 @@ static const struct rl_command *find(const char *name)
     return NULL;
 }
 
+/* What was found may be anything, and is quoted in the message: one line stays one, and no terminal obeys it. */
+static void make_printable(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            *text = '?';
+}
+
 /* Prints the message, if there is one, with the command that it comes from. */
 static int conclude(const struct rl_command *command, const struct rl_verb *verb, int code,
                     struct rl_error *error)
 {
     if (code == RL_EXIT_OK && rl_output_check(error) != RL_OK)
         code = RL_EXIT_USAGE;
+    make_printable(error->message);
     if (code != RL_EXIT_OK && error->message[0] != '\0')
         fprintf(stderr, "roughlight %s%s%s: %s\n", command->name, verb ? " " : "", verb ? verb->name : "",
                 error->message);

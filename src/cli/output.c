@@ -2,10 +2,13 @@
 #include "cli/output.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "base/files.h"
 
 const struct rl_option rl_options_format[] = {
     {0, "format", "tsv|json", "how rows are printed (tsv)"},
@@ -117,6 +120,15 @@ void rl_rows_end(struct rl_rows *rows)
 {
     if (rows->format == RL_OUTPUT_JSON)
         printf("%s]\n", rows->n_rows ? "\n" : "");
+}
+
+int rl_output_file_check(const char *path, struct rl_error *error)
+{
+    char temporary[PATH_MAX];
+    int status = rl_file_begin(temporary, sizeof temporary, path, error);
+    if (status == RL_OK)
+        rl_file_abandon(temporary);
+    return status;
 }
 
 int rl_output_check(struct rl_error *error)

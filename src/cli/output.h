@@ -39,4 +39,8 @@ void rl_rows_end(struct rl_rows *rows);
 /* RL_ERR_SYSTEM if anything printed on stdout so far was lost (a full disk, a closed pipe). */
 int rl_output_check(struct rl_error *error);
 
+/* Before long work whose result goes into a file: RL_ERR_SYSTEM if `path` cannot be written. Nothing is left behind, and what is there
+ * stays. */
+int rl_output_file_check(const char *path, struct rl_error *error);
+
 #endif

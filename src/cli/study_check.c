@@ -61,7 +61,11 @@ static int take_request(struct request *q, const struct rl_arguments *a, struct 
     if (status == RL_OK && q->write && (rl_argument(a, "baseline") || q->runs))
         status = rl_fail(error, RL_ERR_INPUT, "--write: found it beside --%s, expected one of them",
                          q->runs ? "runs" : "baseline");
-    return status == RL_OK ? take_options(q, a, error) : status;
+    if (status == RL_OK && q->write && rl_argument(a, "format"))
+        status = rl_fail(error, RL_ERR_INPUT, "--format has no effect with --write, which prints no rows");
+    if (status == RL_OK)
+        status = take_options(q, a, error);
+    return status == RL_OK && q->write ? rl_output_file_check(q->write, error) : status;
 }
 
 /* Without the rows of scenes that are not asked for. */

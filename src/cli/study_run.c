@@ -216,8 +216,10 @@ static int dry_run(const struct request *r, enum rl_output format, struct rl_err
     if (status != RL_OK)
         return rl_exit_of(status);
     rl_rows_end(&rows);
-    print_sum(&sum);
-    return rl_exit_of(rl_output_check(error));
+    status = rl_output_check(error);
+    if (status == RL_OK)
+        print_sum(&sum);
+    return rl_exit_of(status);
 }
 
 static int carry_out(const struct request *r, struct rl_error *error)

@@ -106,6 +106,12 @@ refused "a broken row" "broken.tsv:5: found 2 columns, expected 15" --baseline "
 refused "an unknown scene" "'nowhere', expected one of none, sphere-quad" --scene nowhere
 refused "an odd number of seeds" "--seeds: found 5" --seeds 5
 refused "two purposes" "--write: found it beside --baseline" --write "$tmp/x" --baseline "$base"
+refused "rows of a new baseline" "--format has no effect with --write" --write "$tmp/x" --format json
+refused "a new baseline in no folder, before it is measured" "/no/such/folder.tsv: cannot write: No such file" --write "$tmp/no/such/folder.tsv"
+refused "a new baseline onto a folder" "is a directory" --write "$tmp"
+refused "a new baseline onto a device" "/dev/full: is a device" --write /dev/full
+refused "a new baseline without a name" "--write: found an empty name" --write ''
+check "none of this leaves a file" [ -z "$(find "$tmp" -name '.*' -o -name x)" ]
 refused "a name too many" "unexpected argument 'samples'" samples
 
 # ---- New baselines and reruns ------------------------------------------------------------------------------------
@@ -115,8 +121,6 @@ exits 0 "a baseline written" $two --write "$tmp/new.tsv" --seeds 32
 # shellcheck disable=SC2086
 exits 0 "and checked" $two --baseline "$tmp/new.tsv"
 check "is comparable" [ "$(grep -c incomparable "$tmp/stdout")" -eq 0 ]
-# shellcheck disable=SC2086
-exits 2 "one that cannot be written" $two --write "$tmp/no/such/folder.tsv" --seeds 4
 # shellcheck disable=SC2086
 exits 0 "three runs" $two --runs 3 --seeds 4
 check "are three p values a metric" [ "$(cut -f 4 "$tmp/stdout" | tr '\n' ,)" = "runs,3,3,3,3,3," ]
