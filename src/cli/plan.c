@@ -107,6 +107,8 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
     if (status == RL_OK)
         status = rl_argument_settings(&settings, a, error);
     if (status == RL_OK)
+        status = rl_argument_check_effect(a, scene, &settings, error);
+    if (status == RL_OK)
         status = rl_plan_make(&plan, scene, &settings, error);
     if (status != RL_OK)
         return status;

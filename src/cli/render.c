@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/files.h"
 #include "base/machine.h"
 #include "base/simd.h"
 #include "cli/command.h"
@@ -153,11 +152,7 @@ static int check_output(const char *path, struct rl_error *error)
     if (!dot || (strcmp(dot, ".exr") != 0 && strcmp(dot, ".png") != 0))
         return rl_fail(error, RL_ERR_INPUT,
                        "--output: found '%s', expected a file name ending in .exr or .png", path);
-    char temporary[4096];
-    int status = rl_file_begin(temporary, sizeof temporary, path, error);
-    if (status == RL_OK)
-        rl_file_abandon(temporary);
-    return status;
+    return rl_output_file_check(path, error);
 }
 
 /* Errors go down to 1e-12: no PNG can show them. */
@@ -193,10 +188,20 @@ static int take_request(struct request *request, const struct rl_arguments *a, s
 /* What only a method with a stated error can do. */
 static int check_method(const struct rl_plan *plan, const struct request *request, struct rl_error *error)
 {
-    if (plan->on_cpu || (!request->errors_path && !(request->max_seconds > 0.0)))
+    if (!request->errors_path && !(request->max_seconds > 0.0))
         return RL_OK;
-    return rl_fail(error, RL_ERR_INPUT, "--%s: found a method of the GPU, expected --method reference",
-                   request->errors_path ? "errors" : "max-seconds");
+    const char *option = request->errors_path ? "errors" : "max-seconds";
+    if (!plan->on_cpu)
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found a method of the GPU, expected --method reference",
+                       option);
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_method *method = plan->material[i].method;
+        if (method && !rl_method_integrates(method))
+            return rl_fail(error, RL_ERR_INPUT,
+                           "--%s: found the method %s, which states no error, expected --method reference",
+                           option, method->name);
+    }
+    return RL_OK;
 }
 
 static int render(const struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
@@ -206,6 +211,8 @@ static int render(const struct rl_scene *scene, const struct rl_arguments *a, st
     struct drawing drawing = {0};
     struct request request;
     int status = rl_argument_settings(&settings, a, error);
+    if (status == RL_OK)
+        status = rl_argument_check_effect(a, scene, &settings, error);
     if (status == RL_OK)
         status = take_request(&request, a, error);
     if (status == RL_OK)
@@ -255,6 +262,6 @@ const struct rl_command rl_command_render = {
         "e.exr -o "
         "b.exr\n"
         "  roughlight compare a.exr r.exr",
-    .options = (const struct rl_option *const[]){options_render, rl_options_render, NULL},
+    .options = (const struct rl_option *const[]){options_render, rl_options_render, rl_options_machine, NULL},
     .run = run,
 };

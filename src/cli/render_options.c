@@ -31,6 +31,10 @@ const struct rl_option rl_options_render[] = {
      "leave out what cannot change a pixel: lights behind every surface, objects out of view (on)"},
     {0, "shadows", "on|off", "reference: objects hide the lights from one another's highlights (off)"},
     {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
+    {0},
+};
+
+const struct rl_option rl_options_machine[] = {
     {0, "backend", "NAME", "auto, osmesa, egl, egl-surfaceless, egl-device ($ROUGHLIGHT_BACKEND, auto)"},
     {0, "threads", "N", "of the CPU renderer and of Mesa's llvmpipe ($ROUGHLIGHT_THREADS, all)"},
     {0},
@@ -149,6 +153,102 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
         status = rl_parse_margin(&s->margin_kind, &s->margin, text, "--margin", error);
     return status == RL_OK ? rl_settings_check(s, error) : status;
 }
+
+/* ---- Options that some methods have no use for --------------------------------------------------------------------- */
+
+static bool is_sampled(const struct rl_method *m)
+{
+    return m->sampled;
+}
+
+static bool is_baked(const struct rl_method *m)
+{
+    return m->needs_normal_map;
+}
+
+static bool is_mapped(const struct rl_method *m)
+{
+    return m->needs_environment;
+}
+
+/* On the CPU the environment map is of exact radiance, and no pass is bounded by a sphere. */
+static bool is_drawn_from_a_map(const struct rl_method *m)
+{
+    return m->needs_environment && m->on_gpu;
+}
+
+static bool has_microfacets(const struct rl_method *m)
+{
+    return !m->shade;
+}
+
+bool rl_method_integrates(const struct rl_method *m)
+{
+    return m->on_cpu && !m->shade && !m->needs_environment;
+}
+
+/* Given to others they are refused, lest somebody trusts in them. */
+static const struct {
+    const char *name;
+    bool (*used)(const struct rl_method *method);
+} method_options[] = {
+    {"samples", is_sampled},
+    {"normal-bits", is_baked},
+    {"normal-size", is_baked},
+    {"seed", is_baked},
+    {"env-size", is_mapped},
+    {"env-format", is_drawn_from_a_map},
+    {"margin", is_drawn_from_a_map},
+    {"attenuation", has_microfacets},
+    {"frame", has_microfacets},
+    {"tolerance", rl_method_integrates},
+    {"light-from", rl_method_integrates},
+};
+
+/* The methods that a scene's materials have, or the one that replaces them all; of these the i-th, or NULL. */
+static const struct rl_method *method_at(const struct rl_scene *scene, const struct rl_settings *settings,
+                                         size_t i)
+{
+    if (settings->method)
+        return i == 0 ? rl_method_find(settings->method) : NULL;
+    for (size_t k = 0; k < scene->n_materials; k++)
+        if (scene->material[k].method && i-- == 0)
+            return rl_method_find(scene->material[k].method);
+    return NULL;
+}
+
+static int no_effect(const char *option, bool (*used)(const struct rl_method *method),
+                     const struct rl_method *method, const struct rl_scene *scene, struct rl_error *error)
+{
+    char names[128] = "";
+    for (size_t i = 0; i < rl_n_methods; i++) {
+        size_t length = strlen(names);
+        if (used(rl_methods[i]))
+            snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "", rl_methods[i]->name);
+    }
+    if (!method)
+        return rl_fail(error, RL_ERR_INPUT, "--%s has no effect: no material of %s has a highlight", option,
+                       scene->path);
+    return rl_fail(error, RL_ERR_INPUT, "--%s has no effect with the method %s; it is for %s", option,
+                   method->name, names);
+}
+
+int rl_argument_check_effect(const struct rl_arguments *a, const struct rl_scene *scene,
+                             const struct rl_settings *settings, struct rl_error *error)
+{
+    for (size_t i = 0; i < sizeof method_options / sizeof method_options[0]; i++) {
+        const struct rl_method *method;
+        bool used = false;
+        for (size_t k = 0; (method = method_at(scene, settings, k)) && !used; k++)
+            used = method_options[i].used(method);
+        if (!used && rl_argument(a, method_options[i].name))
+            return no_effect(method_options[i].name, method_options[i].used, method_at(scene, settings, 0),
+                             scene, error);
+    }
+    return RL_OK;
+}
+
+/* ---- Where to render ------------------------------------------------------------------------------------------------ */
 
 const char *rl_argument_backend(const struct rl_arguments *arguments)
 {

@@ -4,13 +4,23 @@
 
 #include "base/error.h"
 #include "cli/command.h"
-#include "scene/settings.h"
+#include "methods/method.h"
+#include "scene/scene.h"
 
 extern const struct rl_option rl_options_render[];
+/* --backend and --threads */
+extern const struct rl_option rl_options_machine[];
 
 /* Overrides what was given; the rest of *settings stays (the scene's defaults). Ranges are checked. */
 int rl_argument_settings(struct rl_settings *settings, const struct rl_arguments *arguments,
                          struct rl_error *error);
+
+/* RL_ERR_INPUT: an option was given of which no method of the scene, or of `settings`, makes any use. */
+int rl_argument_check_effect(const struct rl_arguments *arguments, const struct rl_scene *scene,
+                             const struct rl_settings *settings, struct rl_error *error);
+
+/* Whether a method computes the integral itself, and so states an error. */
+bool rl_method_integrates(const struct rl_method *method);
 
 /* --backend, else ROUGHLIGHT_BACKEND, else "auto". */
 const char *rl_argument_backend(const struct rl_arguments *arguments);

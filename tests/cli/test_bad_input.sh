@@ -88,6 +88,51 @@ bad "errors as PNG" "--errors: found '.*xe.png', expected .*\.exr" render $scene
 bad "errors over the image" "--errors: .*another file" render $scene -o "$tmp/x.exr" --method reference --errors "$tmp/x.exr"
 bad "seed" "--seed: found '-3'" render $scene -o "$tmp/x.exr" --seed -3
 
+# Options that the method has no use for: METHOD OPTION VALUE, and what has one. The same of plan, which says what render would do.
+while read -r method option value others; do
+    bad "$option of $method" "^roughlight render: $option has no effect with the method $method; it is for $others$" \
+        render $scene -o "$tmp/x.exr" --method "$method" "$option" "$value"
+    bad "$option of $method, planned" "^roughlight plan: $option has no effect" plan $scene --method "$method" "$option" "$value"
+done <<'END'
+plain --samples 14 regular, random
+reference --samples 4 regular, random
+regular --normal-bits 8 random
+exhaustive --normal-size 256 random
+regular --seed 3 random
+reference --env-size 64 regular, random, exhaustive
+exhaustive --env-format rgba8 regular, random
+plain --margin 0.2 regular, random
+plain --attenuation off regular, random, exhaustive, reference
+plain --frame printed regular, random, exhaustive, reference
+random --tolerance 1e-3 reference
+exhaustive --light-from object reference
+END
+edit plain 's/highlight: random/highlight: plain/'
+bad "-n of the scene's own method" "--samples has no effect with the method plain; it is for" render "$tmp/plain.yaml" -n 3 -o "$tmp/x.exr"
+bad "samples where nothing is highlit" "--samples has no effect: no material of .*lamps.yaml has a highlight" \
+    render studies/scenes/lamps.yaml -n 3 -o "$tmp/x.exr"
+bad "errors of a method without" "--errors: found the method exhaustive, which states no error, expected --method reference" \
+    render $scene -o "$tmp/x.exr" --method exhaustive --errors "$tmp/xe.exr"
+bad "budget of a method without passes" "--max-seconds: found the method exhaustive" \
+    render $scene -o "$tmp/x.exr" --method exhaustive --max-seconds 3
+bad "a backend to plan on" "unknown option '--backend'" plan $scene --backend osmesa
+for threads in 0 -1 1.5 99999 ''; do
+    bad "threads '$threads'" "--threads: found '$threads', expected a whole number from 1 to 1024" \
+        render $scene -o "$tmp/x.exr" --threads "$threads"
+done
+bad "normal size" "--normal-size: found 100, expected a power of two" render $scene -o "$tmp/x.exr" --normal-size 100
+bad "environment size" "--env-size: found '7', expected a whole number from 8" render $scene -o "$tmp/x.exr" --env-size 7
+bad "frame" "--frame: found 'foo', expected orthonormal or printed" render $scene -o "$tmp/x.exr" --frame foo
+bad "light from" "--light-from: found 'here', expected point or object" render $scene -o "$tmp/x.exr" --method reference --light-from here
+bad "drop" "--drop: found 'maybe', expected on or off" render $scene -o "$tmp/x.exr" --drop maybe
+bad "a long option with one dash" "unknown option '-size'; did you mean '--size'" render $scene -o "$tmp/x.exr" -size 3x3
+bad "two scenes" "unexpected argument '.*'; usage: roughlight render SCENE" render $scene $scene -o "$tmp/x.exr"
+bad "a device as output" "--output: found '/dev/full'" render $scene -o /dev/full
+bad "a device as scene" "/dev/full: not a regular file" render /dev/full -o "$tmp/x.exr"
+bad "a folder to plan" "$tmp: not a regular file" plan "$tmp"
+bad "rows of no kind" "--format: found 'csv', expected tsv or json" plan $scene --format csv
+bad "a name with an end of line" "a\?b.yaml: cannot open" plan "$(printf 'a\nb.yaml')"
+
 edit wrong-key 's/rr: 30/roughness: 30/'
 bad "wrong key in a scene" "wrong-key.yaml:5: .*roughness" render "$tmp/wrong-key.yaml" -o "$tmp/x.exr"
 for rr in -1 .nan nan 0 .inf 1e400; do
@@ -136,6 +181,17 @@ head -c 100 "$tmp/good.exr" >"$tmp/cut.exr"
 bad "truncated image" "cut.exr" compare "$tmp/good.exr" "$tmp/cut.exr"
 bad "not an image" "junk.yaml" compare "$tmp/good.exr" "$tmp/junk.yaml"
 bad "one image" "argument is missing" compare "$tmp/good.exr"
+bad "three images" "unexpected argument 'x'; usage: roughlight compare IMAGE REFERENCE" compare "$tmp/good.exr" "$tmp/good.exr" x
+bad "a folder as image" "$tmp: not a regular file, an image expected" compare "$tmp/good.exr" "$tmp"
+for limit in nan -1 x ''; do
+    bad "compare: at most '$limit'" "^roughlight compare: --max-rmse: found '$limit', expected a number from 0" \
+        compare "$tmp/good.exr" "$tmp/good.exr" --max-rmse "$limit"
+done
+bad "compare: mismatched" "--max-mismatched: found '1.5', expected a whole number" compare "$tmp/good.exr" "$tmp/good.exr" --max-mismatched 1.5
+bad "compare: errors in a missing folder" "/no/x.exr: cannot write: No such file" compare "$tmp/good.exr" "$tmp/good.exr" -o "$tmp/no/x.exr"
+bad "compare: errors as PNG" "--error-image: found '.*x.png', expected .*\.exr" compare "$tmp/good.exr" "$tmp/good.exr" -o "$tmp/x.png"
+bad "compare: errors over an image" "--error-image: found '.*/./good.exr', expected another file" \
+    compare "$tmp/good.exr" "$tmp/small.exr" -o "$tmp/./good.exr"
 
 # integrate
 light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
@@ -208,6 +264,53 @@ bad "study run: rows of no dry run" "--format has no effect without --dry-run" s
 bad "study status: an empty name" "^roughlight study status: --db: found an empty name, which is none" study status --db ''
 bad "study export: an empty folder name" "--output: found an empty name, which is none" study export --output=
 bad "an empty positional" "found an empty argument, expected a name; usage: roughlight compare IMAGE" compare '' "$tmp/good.exr"
+
+bad "study status: a folder" "$tmp: not a regular file, a results database" study status --db "$tmp"
+bad "study status: a device" "/dev/null: not a regular file, a results database" study status --db /dev/null
+bad "study run: a device" "/dev/full: not a regular file" study run samples --quick --db /dev/full
+bad "study run: point lights only" "lamps.yaml: found no shaped light \(and 2 without a shape\), expected a polygon or mesh light" \
+    study run samples --quick --scene studies/scenes/lamps.yaml --db "$tmp/x.db"
+bad "study run: an axis twice" "--axis rr: given twice" study run samples --axis rr=1 --axis rr=2 --db "$tmp/x.db"
+bad "study export: a file as folder" "good.exr: exists and is not a folder|not an SQLite" study export --db "$tmp/good.exr" -o "$tmp/good.exr"
+
+# info and probe
+bad "info: a name too many" "unexpected argument 'extra'" info extra
+bad "info: unknown format" "--format: found 'yaml', expected tsv or json" info --format yaml
+bad "probe: no function" "an argument is missing; usage: roughlight probe FUNCTION" probe
+bad "probe: unknown function" "function 'nosuch': expected one of ellipsoid-pdf" probe nosuch
+bad "probe: backend" "backend 'vulkan': expected auto" probe frame --backend vulkan
+
+# A disk without room for what is printed, help as well
+full() {
+    n=$((n + 1))
+    "$rl" "$@" >/dev/full 2>"$tmp/stderr"
+    code=$?
+    if [ $code -eq 2 ] && [ "$(wc -l <"$tmp/stderr")" -eq 1 ] && grep -q "standard output: cannot write: No space" "$tmp/stderr"; then
+        echo "ok - $1 onto a full disk"
+    else
+        echo "not ok - $1 onto a full disk (exit code $code): $(cat "$tmp/stderr")"
+    fi
+}
+for words in --help --version "info --help" "study run --help" "study list" "plan $scene" "study run samples --quick --dry-run --db $tmp/x.db"; do
+    # shellcheck disable=SC2086
+    full $words
+done
+full compare "$tmp/good.exr" "$tmp/good.exr"
+full integrate --view 0,0,1 --rr 3 --light "$light"
+
+# make faults: a name that is none, before anything is built
+for run in "make --no-print-directory faults F=nosuch" "tests/faults/run.sh nosuch"; do
+    n=$((n + 1))
+    # shellcheck disable=SC2086
+    env -u MAKEFLAGS -u MAKELEVEL SETUP=check $run >"$tmp/stdout" 2>"$tmp/stderr"
+    code=$?
+    if [ $code -eq 2 ] && [ ! -s "$tmp/stdout" ] && [ "$(wc -l <"$tmp/stderr")" -eq 1 ] &&
+        grep -q "no fault is called 'nosuch'; there are: .*d-value" "$tmp/stderr"; then
+        echo "ok - $run"
+    else
+        echo "not ok - $run (exit code $code): $(cat "$tmp/stdout" "$tmp/stderr")"
+    fi
+done
 
 # The instruction set
 for simd in SSE AVX512 best; do
