@@ -46,15 +46,31 @@ finish() {
     rm -rf "$tmp/r"
 }
 
+# Until a moment from 0 to 1 of the run: every second time by the clock, which hits any line of it, else by the number of cases
+# done, however busy the machine is and however long the run then takes to get there.
+turn=0
+wait_for() {
+    turn=$((1 - turn))
+    if [ $turn -eq 1 ]; then
+        sleep "$(awk -v longest="$longest" -v moment="$1" 'BEGIN { printf "%.3f", longest * moment }')"
+        return
+    fi
+    wait_cases=$(awk -v cases="$cases" -v moment="$1" 'BEGIN { print 1 + int((cases - 1) * moment) }')
+    while kill -0 $pid 2>/dev/null; do
+        wait_done=$(measured "$tmp/r/r.db")
+        [ "${wait_done:-0}" -lt "$wait_cases" ] || break
+    done
+}
+
 # Random moments alone let few runs get to their end: after so many kills one is left in peace, from wherever it is.
 each=6
 kills=0 middle=0 unreadable=0 lost=0 before=0 since=0
-for delay in $(awk -v seed=$seed -v longest="$longest" 'BEGIN { srand(seed); for (i = 0; i < 200; i++) printf "%.3f ", longest * rand() }'); do
-    [ $kills -lt $wanted ] || break
+for moment in $(awk -v seed=$seed 'BEGIN { srand(seed); for (i = 0; i < 200; i++) printf "%.6f ", rand() }'); do
+    [ $kills -lt $wanted ] || [ $middle -lt 5 ] || break
     # shellcheck disable=SC2086
     "$rl" study run $small --db "$tmp/r/r.db" 2>/dev/null &
     pid=$!
-    sleep "$delay"
+    wait_for "$moment"
     kill -KILL $pid 2>/dev/null
     wait $pid 2>/dev/null
     [ $? -eq 137 ] && kills=$((kills + 1))
