@@ -16,7 +16,7 @@
 struct request {
     size_t n_studies;
     const struct rl_study *study[RL_CLI_POSITIONALS_MAX];
-    const char *scene[RL_CLI_GIVEN_MAX];
+    const char *scene[RL_CLI_GIVEN_MAX + 1];
     struct rl_axis axis[RL_AXES_MAX];
     char cache[PATH_MAX];
     struct rl_run_options run;
@@ -86,17 +86,10 @@ static int take_shard(struct rl_run_options *run, const struct rl_arguments *a, 
     return rl_fail(error, RL_ERR_INPUT, "--shard: found '%.40s', expected I/N with 1 <= I <= N", text);
 }
 
-/* Each once. */
 static void take_scenes(struct request *r, const struct rl_arguments *a)
 {
-    const char *name;
-    for (size_t i = 0; (name = rl_argument_nth(a, "scene", i)); i++) {
-        size_t k = 0;
-        while (k < r->run.n_scenes && strcmp(r->scene[k], name) != 0)
-            k++;
-        r->scene[k] = name;
-        r->run.n_scenes = k < r->run.n_scenes ? r->run.n_scenes : k + 1;
-    }
+    while ((r->scene[r->run.n_scenes] = rl_argument_nth(a, "scene", r->run.n_scenes)))
+        r->run.n_scenes++;
     r->run.scenes = r->scene;
 }
 

@@ -35,9 +35,9 @@ column() { # column NAME FILE: the values of a column of a TSV file
 # ---- Bad requests ------------------------------------------------------------------------------------------------
 
 refused "an unknown verb" "expected list, run, status, export, merge, report or check" study draw
-refused "no study named" "no study named" study run --db "$db"
+refused "no study named" "found no study, expected at least one" study run --db "$db"
 refused "an unknown study" "no study 'sample'" study run sample --db "$db"
-refused "two grids" "one of them, not both" study run fps --quick --full --db "$db"
+refused "two grids" "found both, expected one of them" study run fps --quick --full --db "$db"
 refused "an unknown scene" "no-such-scene" study run fps --quick --scene no-such-scene --db "$tmp/x.db"
 refused "one scene twice" "was given before" study run fps --quick --scene sphere-quad --scene sphere-quad --db "$tmp/x.db"
 refused "a database that is not there" "No such file" study status --db "$tmp/nowhere.db"
