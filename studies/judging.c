@@ -161,6 +161,20 @@ void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t 
     note_all(c, step, n);
 }
 
+bool rl_judging_worse(struct rl_claim *c, enum rl_verdict verdict, double badness, double *worst)
+{
+    static const int weight[] = {[RL_VERDICT_HOLDS] = 0,
+                                 [RL_VERDICT_HOLDS_UP_TO] = 0,
+                                 [RL_VERDICT_INCONCLUSIVE] = 1,
+                                 [RL_VERDICT_FAILS] = 2};
+    int more = weight[verdict] - weight[c->verdict];
+    if (isnan(badness) || (!isnan(*worst) && (more < 0 || (more == 0 && badness <= *worst))))
+        return false;
+    c->verdict = verdict;
+    *worst = badness;
+    return true;
+}
+
 void rl_judging_note(struct rl_claim *c, double rr, double value)
 {
     size_t used = strlen(c->note);

@@ -12,6 +12,8 @@
 #ifndef RL_STUDIES_JUDGING_H
 #define RL_STUDIES_JUDGING_H
 
+#include <stdbool.h>
+
 #include "results/claims.h"
 #include "results/record.h"
 
@@ -63,6 +65,11 @@ void rl_judging_steps(struct rl_step step[RL_AXIS_MAX], const double *rr, size_t
  * The note gets the R_r that the number belongs to, or what ended the reach, with its interval, and the other end's reach; then the
  * numbers of all. */
 void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit);
+
+/* For claims that hold where every case does: takes one more into the claim's verdict, which is `fails` if one fails, else inconclusive
+ * if one is undecided. Whether this case speaks for all from now on, so that its number is the claim's: of those that carry the verdict
+ * it is the worst. `*worst` is the badness of the speaker, NaN before the first; a NaN was not measured and says nothing. */
+bool rl_judging_worse(struct rl_claim *c, enum rl_verdict verdict, double badness, double *worst);
 
 /* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */
 void rl_judging_note(struct rl_claim *c, double rr, double value);

@@ -28,7 +28,7 @@ static double noise_floor(const struct rl_judging *j, double rr)
     return rl_arms_noise(find(j, "again", rr, "time_to_off"));
 }
 
-/* The worst pixel of all R_r where auto has a sphere speaks for all. */
+/* At every R_r where auto has a sphere; the worst pixel speaks. */
 static int claim_bound(const struct rl_judging *j, const double *rr, size_t n)
 {
     struct rl_claim *c = rl_judging_claim(
@@ -36,6 +36,7 @@ static int claim_bound(const struct rl_judging *j, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "bound";
+    double most = NAN;
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *spheres = find(j, "auto", rr[i], "spheres");
         const struct rl_metric *worst = find(j, "auto", rr[i], "worst_exact");
@@ -43,10 +44,9 @@ static int claim_bound(const struct rl_judging *j, const double *rr, size_t n)
         if (!spheres || !worst || !bound || !(spheres->value > 0.0))
             continue;
         rl_judging_note(c, rr[i], worst->value);
-        if (worst->value <= c->value)
-            continue;
-        rl_claim_value(c, worst->value, worst->low, worst->high, "of the radiance");
-        c->verdict = rl_verdict_at_most(worst->low, worst->high, bound->value);
+        if (rl_judging_worse(c, rl_verdict_at_most(worst->low, worst->high, bound->value), worst->value,
+                             &most))
+            rl_claim_value(c, worst->value, worst->low, worst->high, "of the radiance");
     }
     return RL_OK;
 }
@@ -59,23 +59,21 @@ static int claim_any_bound(const struct rl_judging *j)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "bound";
-    size_t n = 0;
+    double most = NAN;
     for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, "series=bound"));) {
         const struct rl_metric *worst = rl_record_metric(r, "worst_exact");
         const struct rl_metric *bound = rl_record_metric(r, "bound");
         const struct rl_metric *spheres = rl_record_metric(r, "spheres");
         if (!worst || !bound || !spheres || !(spheres->value > 0.0))
             continue;
-        n++;
-        if (worst->value / bound->value <= c->value)
+        if (!rl_judging_worse(c, rl_verdict_at_most(worst->low, worst->high, bound->value),
+                              worst->value / bound->value, &most))
             continue;
         rl_claim_value(c, worst->value / bound->value, worst->low / bound->value, worst->high / bound->value,
                        "of the bound");
         snprintf(c->note, sizeof c->note, "nearest to its bound: %g at R_r %g", bound->value,
                  rl_parameter_number(r->parameters, "rr"));
     }
-    if (n > 0)
-        c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
     return RL_OK;
 }
 
@@ -87,17 +85,19 @@ static int claim_loss(const struct rl_judging *j)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "mean";
+    double most = NAN;
     for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, ""));) {
         const struct rl_metric *loss = rl_record_metric(r, "loss_exact");
         const struct rl_metric *bound = rl_record_metric(r, "bound");
         const struct rl_metric *spheres = rl_record_metric(r, "spheres");
-        if (!loss || !bound || !spheres || !(spheres->value > 0.0) || loss->value / bound->value <= c->value)
+        if (!loss || !bound || !spheres || !(spheres->value > 0.0) ||
+            !rl_judging_worse(c, rl_verdict_at_most(loss->low, loss->high, bound->value),
+                              loss->value / bound->value, &most))
             continue;
         rl_claim_value(c, loss->value / bound->value, loss->low / bound->value, loss->high / bound->value,
                        "of the bound");
         snprintf(c->note, sizeof c->note, "nearest to its bound: %g at R_r %g", bound->value,
                  rl_parameter_number(r->parameters, "rr"));
-        c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
     }
     return RL_OK;
 }
@@ -193,15 +193,15 @@ static int claim_cost(const struct rl_judging *j, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "cost";
+    double most = NAN;
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *times = find(j, "huge", rr[i], "time_to_off");
         if (!times)
             continue;
         rl_judging_note(c, rr[i], times->value - 1.0);
-        if (times->value - 1.0 <= c->value)
-            continue;
-        rl_claim_value(c, times->value - 1.0, times->low - 1.0, times->high - 1.0, "of a frame");
-        c->verdict = rl_arms_at_most(times, noise_floor(j, rr[i]), 1.0 + cheap_pass);
+        if (rl_judging_worse(c, rl_arms_at_most(times, noise_floor(j, rr[i]), 1.0 + cheap_pass), times->value,
+                             &most))
+            rl_claim_value(c, times->value - 1.0, times->low - 1.0, times->high - 1.0, "of a frame");
     }
     return RL_OK;
 }

@@ -114,7 +114,7 @@ static int claim_extrapolation(const struct rl_judging *j, const double *rr, siz
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "split";
-    double N[RL_AXIS_MAX];
+    double N[RL_AXIS_MAX], worst = NAN;
     size_t n_samples = rl_judging_axis(j, what, "samples", N);
     for (size_t i = 0; i < n && n_samples > 1; i++) {
         char few[160], many[160];
@@ -127,10 +127,9 @@ static int claim_extrapolation(const struct rl_judging *j, const double *rr, siz
         struct rl_claim ratio = {0};
         rl_judging_ratio(&ratio, b, a, "1");
         rl_judging_note(c, rr[i], scale * ratio.value);
-        if (!isnan(c->value) && fabs(log(scale * ratio.value)) < fabs(log(c->value)))
-            continue;
-        rl_claim_value(c, scale * ratio.value, scale * ratio.low, scale * ratio.high, "times");
-        c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.25);
+        enum rl_verdict verdict = rl_verdict_equals(scale * ratio.low, scale * ratio.high, 1.0, 0.25);
+        if (rl_judging_worse(c, verdict, fabs(log(scale * ratio.value)), &worst))
+            rl_claim_value(c, scale * ratio.value, scale * ratio.low, scale * ratio.high, "times");
     }
     return RL_OK;
 }

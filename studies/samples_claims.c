@@ -104,7 +104,7 @@ static struct rl_interval noise_slope(const struct rl_judging *v, double rr)
     return rl_loglog_slope(N, noise, kept, 0.95);
 }
 
-/* The R_r whose slope is farthest from -1/2 speaks for all. */
+/* Of the R_r that carry the verdict the one whose slope is farthest from -1/2 speaks for all. */
 static int claim_slope(const struct rl_judging *v, const double *rr, size_t n)
 {
     struct rl_claim *c = rl_judging_claim(
@@ -112,13 +112,12 @@ static int claim_slope(const struct rl_judging *v, const double *rr, size_t n)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "split";
+    double worst = NAN;
     for (size_t i = 0; i < n; i++) {
         struct rl_interval s = noise_slope(v, rr[i]);
         rl_judging_note(c, rr[i], s.value);
-        if (isnan(s.value) || fabs(s.value + 0.5) < fabs(c->value + 0.5))
-            continue;
-        rl_claim_value(c, s.value, s.low, s.high, "slope");
-        c->verdict = rl_verdict_equals(s.low, s.high, -0.5, 0.01);
+        if (rl_judging_worse(c, rl_verdict_equals(s.low, s.high, -0.5, 0.01), fabs(s.value + 0.5), &worst))
+            rl_claim_value(c, s.value, s.low, s.high, "slope");
     }
     return RL_OK;
 }
@@ -290,7 +289,8 @@ static int claim_four_best(const struct rl_judging *v, const double *rr, size_t 
     double central = rl_central_rr(rr, n), noise = time_noise(v);
     const struct rl_metric *four = find(v, "random", 4, central, "rmse");
     if (four)
-        snprintf(c->note, sizeof c->note, "RMSE and time over 4's: 4 %.3g", four->value);
+        snprintf(c->note, sizeof c->note, "at R_r %g; RMSE and time over 4's: 4 %.3g", central, four->value);
+    double worst = NAN;
     for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
         struct rl_interval x = four_against(v, other[i], central, noise);
         if (isnan(x.value))
@@ -299,10 +299,8 @@ static int claim_four_best(const struct rl_judging *v, const double *rr, size_t 
         snprintf(c->note + used, sizeof c->note - used, "; %g: %.3g, %.3g", other[i],
                  find(v, "random", other[i], central, "rmse")->value,
                  find(v, "random", other[i], central, "time_to_random4")->value);
-        if (exp(x.value) <= c->value)
-            continue;
-        rl_claim_value(c, exp(x.value), exp(x.low), exp(x.high), "times");
-        c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
+        if (rl_judging_worse(c, rl_verdict_at_most(exp(x.low), exp(x.high), 1.0), x.value, &worst))
+            rl_claim_value(c, exp(x.value), exp(x.low), exp(x.high), "times");
     }
     return RL_OK;
 }
@@ -317,15 +315,15 @@ static int claim_four_time(const struct rl_judging *v, const double *rr, size_t 
         return RL_ERR_SYSTEM;
     c->figure = "time";
     static const double other[] = {3, 5};
-    double noise = time_noise(v);
+    double noise = time_noise(v), worst = NAN;
     for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
         const struct rl_metric *time = find(v, "random", other[i], rl_central_rr(rr, n), "time_to_random4");
-        if (!time || fabs(time->value - 1.0) < fabs(c->value - 1.0))
+        if (!time || !rl_judging_worse(c, rl_verdict_equals(time->low - noise, time->high + noise, 1.0, 0.1),
+                                       fabs(time->value - 1.0), &worst))
             continue;
         rl_claim_value(c, time->value, time->low, time->high, "times");
         snprintf(c->note, sizeof c->note, "%g normals, paired by round; noise floor of the A/A arms %.2g",
                  other[i], noise);
-        c->verdict = rl_verdict_equals(c->low - noise, c->high + noise, 1.0, 0.1);
     }
     return RL_OK;
 }

@@ -130,6 +130,38 @@ static void what_ends_it_may_be_infinite(void **state)
     }
 }
 
+/* Of every case the verdict and how bad it is: which speaks for all in the end? */
+static void the_worst_speaks(void **state)
+{
+    (void)state;
+    enum { CASES = 3, h = RL_VERDICT_HOLDS, f = RL_VERDICT_FAILS, u = RL_VERDICT_INCONCLUSIVE };
+    static const struct {
+        int verdict[CASES];
+        double badness[CASES];
+        int of_all, speaker;
+    } rows
+        [] =
+            {
+                {{h, h, h}, {1, 3, 2}, h, 1},
+                {{h, u, h}, {1, 2, 3}, u, 1}, /* a wide interval is no proof, though another case is worse and sure */
+                {{u, h, u}, {3, 9, 2}, u, 0},
+                {{f, u, h}, {1, 2, 3}, f, 0},
+                {{u, f, f}, {5, 2, 3}, f, 2},
+                {{u, u, h}, {NAN, NAN, 1}, h, 2}, /* what was not measured says nothing */
+                {{u, u, u}, {NAN, NAN, NAN}, u, -1},
+            };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_claim c = fresh;
+        double worst = NAN;
+        int speaker = -1;
+        for (int k = 0; k < CASES; k++)
+            if (rl_judging_worse(&c, (enum rl_verdict)rows[i].verdict[k], rows[i].badness[k], &worst))
+                speaker = k;
+        if ((int)c.verdict != rows[i].of_all || speaker != rows[i].speaker)
+            fail_msg("row %zu: %s, spoken for by %d", i, rl_verdict_name(c.verdict), speaker);
+    }
+}
+
 /* A judge's own number, such as the worst of all, stays only where it cannot mislead. */
 static void own_numbers(void **state)
 {
@@ -175,6 +207,7 @@ int main(void)
         cmocka_unit_test(the_number_carries_the_verdict),
         cmocka_unit_test(nothing_measured_says_nothing),
         cmocka_unit_test(what_ends_it_may_be_infinite),
+        cmocka_unit_test(the_worst_speaks),
         cmocka_unit_test(own_numbers),
         cmocka_unit_test(ratios),
     };
