@@ -112,6 +112,7 @@ struct adder {
     struct rl_record *record;
     struct rl_error *error;
     int status;
+    double tolerance; /* of a reference's pixels, and so of every mean over them */
 };
 
 static void add(struct adder *a, const char *name, double value, double low, double high, const char *unit)
@@ -120,12 +121,24 @@ static void add(struct adder *a, const char *name, double value, double low, dou
         a->status = rl_record_metric_add(a->record, name, value, low, high, unit, a->error);
 }
 
-/* The mean over seeds, with its interval where there are several. */
-static struct rl_interval over_seeds(const double *value, size_t n)
+/* The mean over seeds, with its interval where there are several; one picture alone is as sure as the reference. */
+static struct rl_interval over_seeds(const double *value, size_t n, double tolerance)
 {
     if (n == 1)
-        return (struct rl_interval){value[0], value[0], value[0]};
+        return (struct rl_interval){value[0], value[0] - tolerance, value[0] + tolerance};
     return rl_mean_interval(value, n, 0.95);
+}
+
+/* The square of a root mean square that is known to the tolerance. */
+static struct rl_interval widened(double square, double tolerance)
+{
+    double root = rl_root(square), low = fmax(root - tolerance, 0.0), high = root + tolerance;
+    return (struct rl_interval){square, low * low, high * high};
+}
+
+static struct rl_interval squares_over_seeds(const double *square, size_t n, double tolerance)
+{
+    return n == 1 ? widened(square[0], tolerance) : rl_mean_interval(square, n, 0.95);
 }
 
 static void add_root(struct adder *a, const char *name, struct rl_interval square)
@@ -150,12 +163,12 @@ static int add_metrics(struct adder *a, const struct rl_seeds *s, const struct r
         relmse[k] = m.relmse;
         largest = fmax(largest, m.max);
     }
-    add_root(a, "rmse", over_seeds(mse, s->n));
-    struct rl_interval i = over_seeds(mae, s->n);
+    add_root(a, "rmse", squares_over_seeds(mse, s->n, a->tolerance));
+    struct rl_interval i = over_seeds(mae, s->n, a->tolerance);
     add(a, "mae", i.value, i.low, i.high, "1");
-    i = over_seeds(bias, s->n);
+    i = over_seeds(bias, s->n, a->tolerance);
     add(a, "bias", i.value, i.low, i.high, "1");
-    i = over_seeds(relmse, s->n);
+    i = over_seeds(relmse, s->n, 0.0);
     add(a, "relmse", i.value, i.low, i.high, "1");
     add(a, "max", largest, largest, largest, "1");
     add(a, "pixels", (double)m.pixels, (double)m.pixels, (double)m.pixels, "px");
@@ -173,7 +186,7 @@ static int add_centre(struct adder *a, const struct rl_seeds *s, const struct rl
             return status;
         mse[k] = m.rmse * m.rmse;
     }
-    add_root(a, "rmse_centre", over_seeds(mse, s->n));
+    add_root(a, "rmse_centre", squares_over_seeds(mse, s->n, a->tolerance));
     return a->status;
 }
 
@@ -191,19 +204,27 @@ static int add_split(struct adder *a, const struct rl_seeds *s, const struct rl_
         status = rl_metrics_compute(&parallax, centre, truth, a->error);
     if (status != RL_OK)
         return status;
-    add(a, "bias2", t.bias2, t.bias2_low, t.bias2_high, "1");
+    struct rl_interval bias2 = {t.bias2, t.bias2_low, t.bias2_high},
+                       centre2 = {c.bias2, c.bias2_low, c.bias2_high};
+    if (s->n == 1) {
+        bias2 = widened(t.bias2, a->tolerance);
+        centre2 = widened(c.bias2, a->tolerance);
+    }
+    add(a, "bias2", bias2.value, bias2.low, bias2.high, "1");
     add(a, "variance", t.variance, t.variance_low, t.variance_high, "1");
-    add_root(a, "floor", (struct rl_interval){t.bias2, t.bias2_low, t.bias2_high});
+    add_root(a, "floor", bias2);
     add_root(a, "noise", (struct rl_interval){t.variance, t.variance_low, t.variance_high});
-    add_root(a, "floor_centre", (struct rl_interval){c.bias2, c.bias2_low, c.bias2_high});
-    add(a, "parallax", parallax.rmse, parallax.rmse, parallax.rmse, "1");
+    add_root(a, "floor_centre", centre2);
+    /* Either reference may be off by the tolerance. */
+    add_root(a, "parallax", widened(parallax.rmse * parallax.rmse, 2.0 * a->tolerance));
     return a->status;
 }
 
 int rl_seeds_add_error(struct rl_record *record, const struct rl_seeds *s, const struct rl_image *truth,
                        const struct rl_image *centre, struct rl_error *error)
 {
-    struct adder a = {record, error, RL_OK};
+    double tolerance = rl_parameter_number(record->parameters, "tolerance");
+    struct adder a = {record, error, RL_OK, isnan(tolerance) ? 0.0 : tolerance};
     int status = add_metrics(&a, s, truth);
     if (status == RL_OK)
         status = add_centre(&a, s, centre);

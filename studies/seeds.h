@@ -42,7 +42,8 @@ int rl_seeds_split(struct rl_bias_variance *split, const struct rl_seeds *s, con
 
 /* Adds rmse, mae, bias, relmse (means over seeds with their intervals), max, pixels and mismatched against `truth`; bias2 and
  * variance, and their roots floor and noise; against `centre`, which sees the lights from the object's centre, rmse_centre and
- * floor_centre; and parallax, the RMSE between the two. RL_ERR_CHECK: values that are not finite. */
+ * floor_centre; and parallax, the RMSE between the two. One picture alone, and parallax, are as sure as the references: to within the
+ * record's parameter `tolerance` of each. RL_ERR_CHECK: values that are not finite. */
 int rl_seeds_add_error(struct rl_record *record, const struct rl_seeds *s, const struct rl_image *truth,
                        const struct rl_image *centre, struct rl_error *error);
 
