@@ -101,6 +101,8 @@ static void step_text(char text[160], const struct rl_step *s, const char *unit)
     const char *of = strcmp(unit, "1") == 0 ? "" : unit, *blank = *of ? " " : "";
     if (isnan(s->value))
         snprintf(text, 160, "was not measured");
+    else if (isfinite(s->value) && s->low == s->high)
+        snprintf(text, 160, "%s: %.3g%s%s", verdict, s->value, blank, of);
     else if (isfinite(s->value))
         snprintf(text, 160, "%s: %.3g [%.3g, %.3g]%s%s", verdict, s->value, s->low, s->high, blank, of);
     else if (isfinite(s->low))

@@ -118,6 +118,7 @@ static void what_ends_it_may_be_infinite(void **state)
         {{10.0, INFINITY, 900.0, INFINITY, RL_VERDICT_INCONCLUSIVE},
          "normals",
          "next, R_r 10, is undecided: none, or 900 normals; "},
+        {{10.0, 2.5, 2.5, 2.5, RL_VERDICT_FAILS}, "times", "next, R_r 10, fails: 2.5 times; "},
         {{10.0, 1.0, 0.9, 1.25, RL_VERDICT_INCONCLUSIVE}, "1", "next, R_r 10, is undecided: 1 [0.9, 1.25]; "},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
