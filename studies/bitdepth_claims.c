@@ -1,6 +1,8 @@
 /* The claims that the study `bitdepth` judges. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "studies/bitdepth.h"
 #include "studies/judging.h"
@@ -56,6 +58,12 @@ static int claim_small(const struct rl_judging *j, const double *rr, size_t n, c
             step[i] = small_step(rr[i], m, of_noise);
     }
     rl_judging_conclude(c, step, n, s->of_noise ? "of what is allowed" : "RMS");
+    bool exact = n > 0;
+    for (size_t i = 0; i < n; i++)
+        exact = exact && step[i].high == 0.0;
+    size_t used = strlen(c->note);
+    if (exact)
+        snprintf(c->note + used, sizeof c->note - used, "; %s", rl_judging_exactly);
     return RL_OK;
 }
 

@@ -24,7 +24,8 @@ static int claim_step(const struct rl_judging *j, const char *figure, const char
     if (!m)
         return RL_OK;
     rl_claim_value(c, m->value, m->low, m->high, "RMSE");
-    snprintf(c->note, sizeof c->note, "%s", note);
+    snprintf(c->note, sizeof c->note, "%s%s%s", note, m->high == 0.0 ? "; " : "",
+             m->high == 0.0 ? rl_judging_exactly : "");
     c->verdict = rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS);
     return RL_OK;
 }

@@ -7,6 +7,8 @@
 
 #include "studies/study.h"
 
+const char rl_judging_exactly[] = "not one pixel changes: the format holds this scene's radiances exactly";
+
 struct rl_claim *rl_judging_claim(const struct rl_judging *j, const char *text)
 {
     struct rl_claim *c = rl_claims_add(j->claims, j->error);

@@ -74,6 +74,9 @@ bool rl_judging_worse(struct rl_claim *c, enum rl_verdict verdict, double badnes
 /* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */
 void rl_judging_note(struct rl_claim *c, double rr, double value);
 
+/* What the note of a change that is exactly 0 says: the scene's values are such as the format holds, and other scenes' need not be. */
+extern const char rl_judging_exactly[];
+
 /* a / b as the claim's value, their intervals taken for independent: the worst of both ends; NaN beside nothing. */
 void rl_judging_ratio(struct rl_claim *c, const struct rl_metric *a, const struct rl_metric *b,
                       const char *unit);

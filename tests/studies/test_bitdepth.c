@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "studies/bitdepth.h"
 #include "studies/judged.h"
+#include "studies/judging.h"
 #include "studies/runner.h"
 
 static const struct rl_place place = {"bitdepth", "made-up", "made-up.yaml", 1};
@@ -129,6 +130,14 @@ static void verdicts_follow_from_rows(void **state)
     w = usual;
     w.spread = 1000.0;
     assert_int_equal(VERDICT(w, eight), RL_VERDICT_INCONCLUSIVE);
+
+    /* What is stored as it is proves nothing of other values: the note says so. */
+    static const char map[] = "an environment map of 8 bits is enough";
+    w = usual;
+    assert_null(strstr(claim_in(w, map).note, rl_judging_exactly));
+    w.environment_8 = 0.0;
+    assert_int_equal(VERDICT(w, map), RL_VERDICT_HOLDS);
+    assert_non_null(strstr(claim_in(w, map).note, rl_judging_exactly));
 
     /* Beside no noise nothing is said, be the bias below 1/255 or not. */
     w = usual;

@@ -11,6 +11,7 @@
 
 #include "studies/environment.h"
 #include "studies/judged.h"
+#include "studies/judging.h"
 #include "studies/runner.h"
 #include "support/check.h"
 
@@ -185,6 +186,10 @@ static void test_flips(void **state)
     assert_int_equal(judge(w, bits).verdict, RL_VERDICT_INCONCLUSIVE);
     w.bits_8 = 0.005;
     assert_int_equal(judge(w, bits).verdict, RL_VERDICT_FAILS);
+    assert_null(strstr(judge(w, bits).note, rl_judging_exactly));
+    w.bits_8 = 0.0; /* nothing between what the format holds */
+    assert_int_equal(judge(w, bits).verdict, RL_VERDICT_HOLDS);
+    assert_non_null(strstr(judge(w, bits).note, rl_judging_exactly));
 
     static const char true_256[] = "a map of 256 texels shows is true",
                       true_base[] = "the largest map shows is true";
