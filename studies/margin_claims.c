@@ -125,7 +125,8 @@ static int claim_filled(const struct rl_judging *j)
     return RL_OK;
 }
 
-/* Whether the share of energy that an arm misses is small enough, along the R_r where it has a sphere. Of the integral: frames agree
+/* Whether the share of energy that an arm misses is small enough, along the R_r where it has a sphere; where it is at all of them, the
+ * largest share speaks. Of the integral: frames agree
  * with it, but for noise. */
 static int claim_energy(const struct rl_judging *j, const double *rr, size_t n, const char *arm,
                         const char *text, double bound)
@@ -147,12 +148,22 @@ static int claim_energy(const struct rl_judging *j, const double *rr, size_t n, 
                                               rl_verdict_at_most(m->low, m->high, bound)};
         n_judged++;
     }
+    const struct rl_step *most = n_judged > 0 ? &step[0] : NULL;
+    bool all = n_judged > 0;
+    for (size_t i = 0; i < n_judged; i++) {
+        all = all && step[i].verdict == RL_VERDICT_HOLDS;
+        most = step[i].value > most->value ? &step[i] : most;
+    }
+    if (all) {
+        rl_claim_value(c, most->value, most->low, most->high, "of the highlight");
+        snprintf(c->note, sizeof c->note, "the most, at R_r %g", most->rr);
+    }
     rl_judging_conclude(c, step, n_judged, "of the highlight");
     return RL_OK;
 }
 
-/* Intervals have the noise of two equal arms in them, as what was judged. Of the R_r where auto has a sphere: where it has none, nothing is drawn that could save time, and the note names them. Not every
- * R_r is timed. */
+/* Of the R_r where auto has a sphere: where it has none, nothing is drawn that could save time, and the note names them. Not every R_r is
+ * timed. Intervals have the noise of two equal arms in them, as what was judged. */
 static int claim_time(const struct rl_judging *j, const double *rr, size_t n)
 {
     struct rl_claim *c =
