@@ -161,7 +161,7 @@ static int claim_one_more(const struct costs *k, const char *text, const char *m
     return RL_OK;
 }
 
-/* Up to which picture size an arm keeps to 24 frames a second. */
+/* Up to which picture size an arm keeps to 24 frames a second. If at all, or at none, the rate of the largest or the smallest is shown. */
 static int claim_reach(const struct costs *k, const char *arm, const char *text)
 {
     struct rl_claim *c = begin_claim(k, "scaling", text);
@@ -191,8 +191,8 @@ static int claim_reach(const struct costs *k, const char *arm, const char *text)
     }
     if (n == 0 || !beyond)
         return RL_OK;
-    if (held > 0)
-        rl_claim_value(c, pixels[held - 1], pixels[held - 1], held == n ? pixels[n - 1] : failing, "px");
+    if (held > 0 && held < n)
+        rl_claim_value(c, pixels[held - 1], pixels[held - 1], failing, "px");
     else
         rl_claim_value(c, beyond->value, beyond->low, beyond->high, "frames/s");
     c->verdict = held == n  ? RL_VERDICT_HOLDS
@@ -262,6 +262,7 @@ static int claim_baking(const struct costs *k)
         return RL_OK;
     rl_claim_value(c, 1e-3 * each->value, 1e-3 * each->low, 1e-3 * each->high, "ms");
     c->verdict = rl_verdict_at_most(c->low, c->high, 1000.0 / RL_FILM_FPS);
+    note_fit(c, k, "maps");
     return RL_OK;
 }
 

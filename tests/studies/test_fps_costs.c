@@ -244,8 +244,9 @@ static void test_prices_flip(void **state)
     assert_true(c.value == 640.0 * 480.0 && c.high == 1920.0 * 1080.0);
     p.per_sample = 1e-6;
     c = priced(p, reach);
-    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
-    assert_true(c.value == 1920.0 * 1080.0);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS); /* at all: the rate of the largest, with its interval */
+    assert_string_equal(c.unit, "frames/s");
+    assert_true(c.value > 24.0 && c.low < c.value && c.value < c.high);
     p.frame = 50.0;
     assert_int_equal(priced(p, reach).verdict, RL_VERDICT_FAILS);
     p.frame = 40.5; /* 320x240 takes a frame of 24 a second, nearly */
