@@ -1,6 +1,7 @@
 /* Loads the latest runs, judges them, writes their tables (see report.h). */
 #include <limits.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,10 +15,18 @@
 static int judge(struct rl_claims *claims, const struct rl_study *study, struct rl_run *run,
                  struct rl_error *error)
 {
+    size_t first = claims->n;
     int status = rl_trace_begin(claims, run, error);
     if (status == RL_OK)
         status = study->judge(claims, run, error);
     int ended = rl_trace_end(claims, status == RL_OK ? error : NULL);
+    /* Where all that was planned is measured, to run it again would change nothing. */
+    bool complete = rl_run_count(run, RL_RECORD_OK) == run->n_records;
+    for (size_t i = first; i < claims->n; i++) {
+        struct rl_claim *c = &claims->claim[i];
+        if (complete && isnan(c->value) && c->n_cases == 0 && c->note[0] == '\0')
+            snprintf(c->note, sizeof c->note, "no case of the grid %.200s measures it", run->grid);
+    }
     return status == RL_OK ? ended : status;
 }
 

@@ -125,6 +125,9 @@ check "and every table has rows: none is written of studies that were not run, o
     [ -z "$(wc -l "$tmp"/tables/*.tsv | awk '$1 < 2')" -a ! -e "$tmp/tables/margin.tsv" -a ! -e "$tmp/tables/budget.json" ]
 check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.tsv" |
     grep -vx 'holds\|holds up to\|fails\|inconclusive')" ]
+# The quick grid has no image of that size: its command would not measure one either.
+check "a claim that no case is about says so" [ "$(awk -F "$tab" '$1 ~ /640x480 to 1e-6/ { print $3, $11 }' "$tmp/tables/claims.tsv" | sort -u)" = \
+    "nan no case of the grid quick measures it" ]
 check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 91 ]
 check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 72 ]
 check "and each cost model of the first scene" [ "$(wc -l <"$tmp/tables/fps_models.tsv")" -eq 16 ]
