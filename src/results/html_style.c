@@ -82,7 +82,7 @@ const char rl_html_style_of_claims[] =
     ".small{width:120px;height:83px}.summary td:nth-child(2),.summary th:nth-child(2){display:none}}\n"
     "@media print{html{font-size:11.5px}body{font-size:1rem;max-width:none;padding:0}nav{display:none}"
     ".scroll{max-height:none;overflow:visible;border:0}.scroll thead th{position:static}"
-    "summary{list-style:none}details[data-file]:not([open])>summary::after{content:\", in \" attr(data-file)}"
+    "summary{list-style:none}details:not([open])>summary[data-file]::after{content:\", in \" attr(data-file)}"
     ".claims tr,figure,.cell,.row,.summary tr{break-inside:avoid}h2,h3{break-after:avoid}"
     "a{color:inherit;text-decoration:none}.small{width:7.6rem;height:5.2rem}.claims "
     "th:nth-child(3){width:9.2rem}"

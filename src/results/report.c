@@ -34,9 +34,9 @@ static size_t count_rows(const struct rl_table *table, const struct rl_run *run)
 static void begin_table(struct rl_buffer *page, const struct rl_table *table, size_t n_rows, const char *file)
 {
     enum { SHORT = 16 };
-    rl_buffer_printf(page, "<details%s data-file=\"", n_rows <= SHORT ? " open" : "");
+    rl_buffer_printf(page, "<details%s><summary data-file=\"", n_rows <= SHORT ? " open" : "");
     rl_html_text(page, file);
-    rl_buffer_add(page, "\"><summary>");
+    rl_buffer_add(page, "\">");
     rl_html_text(page, table->summary);
     rl_buffer_printf(page, " (%zu rows)</summary>\n<p><a href=\"", n_rows);
     rl_html_text(page, file);

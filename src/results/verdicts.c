@@ -156,7 +156,7 @@ static void add_cases(struct rl_buffer *page, const struct rl_claim *c)
     enum { SHOWN = 4 };
     if (c->n_cases == 0)
         return;
-    rl_buffer_add(page, c->n_cases > SHOWN ? "<details class=\"cases\" data-file=\"claims.tsv\"><summary>"
+    rl_buffer_add(page, c->n_cases > SHOWN ? "<details class=\"cases\"><summary data-file=\"claims.tsv\">"
                                            : "<div class=\"cases\">");
     rl_buffer_printf(page, "%zu %s%s", c->n_cases, c->n_cases == 1 ? "case" : "cases",
                      c->n_cases > SHOWN ? "</summary>" : ":");
