@@ -19,6 +19,12 @@ struct rl_frame rl_frame_make(enum rl_frame_kind kind, rl_vec3 N);
 /* "orthonormal" or "printed". */
 const char *rl_frame_name(enum rl_frame_kind kind);
 
+/* a along T, B and N. */
+static inline rl_vec3 rl_frame_components(const struct rl_frame *f, rl_vec3 a)
+{
+    return v3(v3_dot(f->T, a), v3_dot(f->B, a), v3_dot(f->N, a));
+}
+
 /* cos(delta) N + sin(delta) (cos(theta) T + sin(theta) B); unit only in a frame that is. */
 static inline rl_vec3 rl_frame_microfacet_normal(const struct rl_frame *f, double sin_delta, double cos_delta,
                                                  double theta)

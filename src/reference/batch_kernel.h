@@ -1,5 +1,9 @@
-/* The batch of lines of batch.h for LANES of them side by side; line.c and inner.c are the same thing for one, with the formulas and
- * their sources. Included by one file per instruction set, which defines vd, vm and what that set calls its functions. */
+/* The batch of lines of batch.h for LANES of them side by side; axes.h and inner.c are the same thing for one, with the formulas and
+ * their sources. Included by one file per instruction set, which defines vd, vm and what that set calls its functions.
+ *
+ * It is a second copy and stays one: where one line branches, lanes compute both sides and choose; their functions are SLEEF's, and not
+ * equal to libm's in the last place; and the line alone is what marked lanes are done again by, and what tests/reference/test_batch.c holds
+ * these against. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -61,7 +65,7 @@ static inline struct angles unit(vd s, vd c)
     return (struct angles){s * scale, c * scale};
 }
 
-/* place() of line.c. */
+/* rl_axes_normal, and what place() of line.c makes of it. */
 static inline struct places place(const struct line_group *g, vd l_t, vd l_n)
 {
     double v_n = g->lines->v_n;
@@ -78,6 +82,7 @@ static inline struct places place(const struct line_group *g, vd l_t, vd l_n)
     return p;
 }
 
+/* rl_axes_cross. */
 static inline struct places limit_place(const struct line_group *g, const struct rl_limit *limit)
 {
     if (limit->way == 0.0) {

@@ -3,13 +3,13 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "reference/axes.h"
 #include "reference/lines.h"
 #include "reference/occlusion.h"
 
 /* A line's own axes, and the closed forms of G along it once they are needed. */
 struct line {
-    double cos_theta, sin_theta;
-    double v_t, v_b, v_n;
+    struct rl_axes axes;
     bool has_zones;
     struct rl_inner_line zones;
 };
@@ -29,64 +29,42 @@ struct sweep {
 /* The place where the line's direction is L. */
 static struct rl_crossing place(const struct rl_lines *lines, const struct line *line, double l_t, double l_n)
 {
-    /* H is along V + L; near L = -V that vanishes, but H is also perpendicular to V - L. */
-    double h_t = line->v_t + l_t, h_n = line->v_n + l_n;
-    double hh = h_t * h_t + h_n * h_n;
-    bool full = !lines->attenuation || 4.0 * h_n * fmin(line->v_n, l_n) >= hh;
-    if (hh < 0.25 * (line->v_t * line->v_t + line->v_n * line->v_n)) {
-        double sign = line->v_t >= l_t ? 1.0 : -1.0;
-        h_t = sign * (l_n - line->v_n);
-        h_n = sign * (line->v_t - l_t);
-        hh = h_t * h_t + h_n * h_n;
-    } else if (h_n < 0.0) {
-        h_t = -h_t;
-        h_n = -h_n;
-    }
-    double scale = 1.0 / sqrt(hh);
-    struct rl_crossing at = {.normal = {h_t * scale, h_n * scale}, .l_t = l_t, .l_n = l_n, .full = full};
+    double h_t = line->axes.v_t + l_t, h_n = line->axes.v_n + l_n;
+    struct rl_crossing at = {
+        .normal = rl_axes_normal(&line->axes, l_t, l_n),
+        .l_t = l_t,
+        .l_n = l_n,
+        .full = !lines->attenuation || 4.0 * h_n * fmin(line->axes.v_n, l_n) >= h_t * h_t + h_n * h_n,
+    };
     at.delta = lines->stretch == 1.0 ? at.normal : rl_inner_unstretch(at.normal, lines->stretch);
     return at;
 }
 
-/* Where the line's circle crosses the great circle of unit normal m: upwards (b.L growing along m x L) or downwards. */
+/* Where the line's circle crosses the great circle of unit normal m. */
 static struct rl_crossing cross(const struct rl_lines *lines, const struct line *line, rl_vec3 m, bool up)
 {
-    double m_t = line->cos_theta * m.x + line->sin_theta * m.y;
-    double m_b = line->cos_theta * m.y - line->sin_theta * m.x;
-    double rr = fmax(DBL_MIN, m_t * m_t + m.z * m.z);
-    double d = sqrt(fmax(0.0, rr - line->v_b * line->v_b));
-    d = up ? d : -d;
-    double along = line->v_b * m_b;
-    struct rl_crossing at = place(lines, line, (along * m_t + d * m.z) / rr, (along * m.z - d * m_t) / rr);
+    struct rl_on_line L = rl_axes_cross(&line->axes, m, up);
+    struct rl_crossing at = place(lines, line, L.t, L.n);
     at.limit = (struct rl_limit){m, up ? 1.0 : -1.0};
     return at;
 }
 
+/* The light lies where m.L > 0: upwards the line leaves it. */
 static size_t cross_polygon(struct rl_crossing *out, const struct rl_lines *lines, const struct line *line,
                             struct rl_seen_polygon *polygon)
 {
     const struct rl_edge *edge = &lines->edge[polygon->first];
-    double c = line->cos_theta, s = line->sin_theta;
     size_t n = 0;
     for (size_t i = 0; i < polygon->n; i++) {
-        const struct rl_edge *it = &edge[i];
-        bool side = c * it->q_y - s * it->q_x >= 0.0, next = c * it->next_y - s * it->next_x >= 0.0;
-        if (side != next) {
-            out[n] = cross(lines, line, it->m, next);
-            out[n++].sign = next ? -1 : 1;
-        } else {
-            /* Both ends on one side: the arc may reach over to the other in between, where b.p has its extremum. */
-            double from = c * it->from_y - s * it->from_x, to = c * it->to_y - s * it->to_x;
-            double m_t = c * it->m.x + s * it->m.y;
-            if ((side ? from < 0.0 && to > 0.0 && line->v_b > 0.0
-                      : from > 0.0 && to < 0.0 && line->v_b < 0.0) &&
-                m_t * m_t + it->m.z * it->m.z > line->v_b * line->v_b) {
-                out[n] = cross(lines, line, it->m, false);
-                out[n++].sign = 1;
-                out[n] = cross(lines, line, it->m, true);
-                out[n++].sign = -1;
-            }
-        }
+        enum rl_meeting meeting = rl_axes_meet(&line->axes, &edge[i]);
+        if (meeting == RL_MEETS_NOT)
+            continue;
+        out[n] = cross(lines, line, edge[i].m, meeting == RL_MEETS_UPWARDS);
+        out[n++].sign = meeting == RL_MEETS_UPWARDS ? -1 : 1;
+        if (meeting != RL_MEETS_TWICE)
+            continue;
+        out[n] = cross(lines, line, edge[i].m, true);
+        out[n++].sign = -1;
     }
     for (size_t i = 0; i < n; i++)
         out[i].polygon = polygon;
@@ -131,8 +109,9 @@ static int winding_at_start(const struct rl_lines *lines, const struct line *lin
         return polygon->mirror_winding - before_mirror;
     if (lines->merged)
         return least_winding(crossing, n);
-    rl_vec3 L = {line->cos_theta * line->v_t + line->sin_theta * line->v_b,
-                 line->sin_theta * line->v_t - line->cos_theta * line->v_b, -line->v_n};
+    rl_vec3 L = {line->axes.cos_theta * line->axes.v_t + line->axes.sin_theta * line->axes.v_b,
+                 line->axes.sin_theta * line->axes.v_t - line->axes.cos_theta * line->axes.v_b,
+                 -line->axes.v_n};
     return rl_lines_hit(lines, polygon, L);
 }
 
@@ -156,7 +135,7 @@ static double inner_integral(const struct rl_lines *lines, struct line *line, co
     if (a->full && b->full)
         return rl_inner_mass(lines->e, a->delta, b->delta);
     if (!line->has_zones)
-        rl_inner_line_make(&line->zones, lines->e, lines->stretch, line->v_t, line->v_n);
+        rl_inner_line_make(&line->zones, lines->e, lines->stretch, line->axes.v_t, line->axes.v_n);
     line->has_zones = true;
     return rl_inner_attenuated(&line->zones, lines->e, lines->stretch, a->delta, b->delta);
 }
@@ -175,10 +154,10 @@ static double rounding(const struct rl_lines *lines, const struct rl_crossing *a
 static struct rl_crossing at_normal(const struct rl_lines *lines, const struct line *line,
                                     struct rl_angle normal)
 {
-    double twice = 2.0 * (line->v_t * normal.s + line->v_n * normal.c);
-    struct rl_crossing at = {
-        .normal = normal, .l_t = twice * normal.s - line->v_t, .l_n = twice * normal.c - line->v_n};
-    at.full = !lines->attenuation || 4.0 * twice * normal.c * fmin(line->v_n, at.l_n) >= twice * twice;
+    struct rl_on_line L = rl_axes_mirror(&line->axes, normal);
+    double twice = 2.0 * (line->axes.v_t * normal.s + line->axes.v_n * normal.c);
+    struct rl_crossing at = {.normal = normal, .l_t = L.t, .l_n = L.n};
+    at.full = !lines->attenuation || 4.0 * twice * normal.c * fmin(line->axes.v_n, L.n) >= twice * twice;
     at.delta = lines->stretch == 1.0 ? normal : rl_inner_unstretch(normal, lines->stretch);
     return at;
 }
@@ -188,8 +167,8 @@ static double visible_integral(double *off, const struct rl_lines *lines, struct
                                const struct rl_crossing *a, const struct rl_crossing *b)
 {
     const struct rl_part *part = lines->occlusion->part;
-    size_t n =
-        rl_occlusion_split(lines->occlusion, lines, line->cos_theta, line->sin_theta, a->normal, b->normal);
+    size_t n = rl_occlusion_split(lines->occlusion, lines, line->axes.cos_theta, line->axes.sin_theta,
+                                  a->normal, b->normal);
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) {
         struct rl_crossing from = at_normal(lines, line, part[i].from),
@@ -235,20 +214,16 @@ static void switch_to(struct sweep *sweep, size_t radiance, const struct rl_cros
 static struct rl_crossing middle(const struct rl_lines *lines, const struct line *line,
                                  const struct rl_crossing *a, const struct rl_crossing *b)
 {
-    double s = a->normal.s + b->normal.s, c = a->normal.c + b->normal.c;
-    double scale = s * s + c * c > 0.0 ? 1.0 / sqrt(s * s + c * c) : 0.0;
-    s *= scale;
-    c *= scale;
-    double twice = 2.0 * (line->v_t * s + line->v_n * c);
-    return place(lines, line, twice * s - line->v_t, twice * c - line->v_n);
+    struct rl_on_line L = rl_axes_mirror(&line->axes, rl_angle_middle(a->normal, b->normal));
+    return place(lines, line, L.t, L.n);
 }
 
 static double nearness(const struct line *line, const struct rl_seen_polygon *polygon,
                        const struct rl_crossing *at)
 {
-    double w_t = line->cos_theta * polygon->nearness.x + line->sin_theta * polygon->nearness.y;
-    double w_b = line->cos_theta * polygon->nearness.y - line->sin_theta * polygon->nearness.x;
-    return w_t * at->l_t - w_b * line->v_b + polygon->nearness.z * at->l_n;
+    double w_t = line->axes.cos_theta * polygon->nearness.x + line->axes.sin_theta * polygon->nearness.y;
+    double w_b = line->axes.cos_theta * polygon->nearness.y - line->axes.sin_theta * polygon->nearness.x;
+    return w_t * at->l_t - w_b * line->axes.v_b + polygon->nearness.z * at->l_n;
 }
 
 /* The polygon hit first; of those that hit together, the set's first. */
@@ -330,11 +305,9 @@ static size_t wind(struct rl_seen_polygon *active[], size_t n, struct rl_seen_po
 
 static struct line line_at(const struct rl_lines *lines, double theta)
 {
-    struct line line = {.v_n = lines->v_n};
-    sincos(theta, &line.sin_theta, &line.cos_theta);
-    line.v_t = line.cos_theta * lines->v_x + line.sin_theta * lines->v_y;
-    line.v_b = line.cos_theta * lines->v_y - line.sin_theta * lines->v_x;
-    return line;
+    double sin_theta, cos_theta;
+    sincos(theta, &sin_theta, &cos_theta);
+    return (struct line){.axes = rl_axes_make(lines, cos_theta, sin_theta)};
 }
 
 /* delta = -pi/2 or pi/2. */
@@ -343,8 +316,8 @@ static struct rl_crossing line_end(const struct rl_lines *lines, const struct li
     return (struct rl_crossing){
         .normal = {sign, 0.0},
         .delta = {sign, 0.0},
-        .l_t = line->v_t,
-        .l_n = -line->v_n,
+        .l_t = line->axes.v_t,
+        .l_n = -line->axes.v_n,
         .full = !lines->attenuation,
         .limit = {v3(0.0, 0.0, sign), 0.0},
     };

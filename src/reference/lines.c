@@ -43,11 +43,6 @@ static void lay_out(struct rl_lines *lines, char *memory)
     lines->extent = (struct rl_extent *)memory;
 }
 
-static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)
-{
-    return v3(v3_dot(f->T, a), v3_dot(f->B, a), v3_dot(f->N, a));
-}
-
 /* One vertex of a polygon in the order that puts the light where m.L > 0, and the edge that starts there. */
 struct corner {
     rl_vec3 p, edge;
@@ -71,8 +66,8 @@ static struct corner corner(const struct rl_lines *lines, size_t polygon, const 
     bool reversed = lines->facing[polygon] < 0;
     size_t at = reversed ? n - 1 - i : i, edge = first + (reversed ? (at + n - 1) % n : at);
     return (struct corner){
-        .p = to_frame(frame, v3_sub(set->vertex[first + at], P)),
-        .edge = to_frame(frame, v3_scale(reversed ? -1.0 : 1.0, set->edge[edge])),
+        .p = rl_frame_components(frame, v3_sub(set->vertex[first + at], P)),
+        .edge = rl_frame_components(frame, v3_scale(reversed ? -1.0 : 1.0, set->edge[edge])),
         .inner = inner_edge(lines, polygon, edge),
     };
 }
@@ -206,7 +201,7 @@ static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl
     if (!lines->merged || lines->n_polygons == 0)
         *seen = (struct rl_seen_polygon){.first = lines->n_edges, .radiance = it->radiance};
     double distance = v3_dot(it->normal, v3_sub(set->vertex[it->first], P));
-    seen->nearness = v3_scale(1.0 / distance, to_frame(frame, it->normal));
+    seen->nearness = v3_scale(1.0 / distance, rl_frame_components(frame, it->normal));
     see_loop(lines, seen, frame, P, polygon);
     seen->n = lines->n_edges - seen->first;
     if (seen->n > 0 || seen->mirror_winding > 0)
@@ -219,7 +214,7 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
 {
     rl_vec3 N = v3_normalize(surface->N);
     struct rl_frame frame = rl_frame_make(RL_FRAME_ORTHONORMAL, N);
-    rl_vec3 V = v3_normalize(to_frame(&frame, surface->V));
+    rl_vec3 V = v3_normalize(rl_frame_components(&frame, surface->V));
     /* Every azimuth counts the same, so of the printed frame only its length matters. */
     double stretch = options->frame == RL_FRAME_PRINTED ? fmin(1.0, sqrt(N.y * N.y + N.z * N.z)) : 1.0;
     *lines = (struct rl_lines){
@@ -240,17 +235,17 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         see_polygon(lines, &frame, surface->P, i);
 }
 
-struct rl_edge rl_edge_between(const struct rl_lines *lines, rl_vec3 m, rl_vec3 start, rl_vec3 end)
+struct rl_edge rl_edge_between(double v_x, double v_y, rl_vec3 m, rl_vec3 start, rl_vec3 end)
 {
     rl_vec3 from = v3_cross(m, start), to = v3_cross(m, end);
     return (struct rl_edge){
         .m = m,
         .start = start,
         .end = end,
-        .q_x = lines->v_x + start.x,
-        .q_y = lines->v_y + start.y,
-        .next_x = lines->v_x + end.x,
-        .next_y = lines->v_y + end.y,
+        .q_x = v_x + start.x,
+        .q_y = v_y + start.y,
+        .next_x = v_x + end.x,
+        .next_y = v_y + end.y,
         .from_x = from.x,
         .from_y = from.y,
         .to_x = to.x,

@@ -104,8 +104,8 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
                    const struct rl_ellipsoid *e, const struct rl_light_set *set,
                    const struct rl_integrate_options *options);
 
-/* The edge along the great circle m from one unit direction to another, in the frame. */
-struct rl_edge rl_edge_between(const struct rl_lines *lines, rl_vec3 m, rl_vec3 start, rl_vec3 end);
+/* The edge along the great circle m from one unit direction to another, in the frame; V's components there. */
+struct rl_edge rl_edge_between(double v_x, double v_y, rl_vec3 m, rl_vec3 start, rl_vec3 end);
 
 /* Whether direction L, in the frame, hits this polygon; not for several in one. */
 bool rl_lines_hit(const struct rl_lines *lines, const struct rl_seen_polygon *polygon, rl_vec3 L);

@@ -1,14 +1,10 @@
 /* Cuts lines at silhouettes and asks rays (see occlusion.h). */
 #include "reference/occlusion.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-static rl_vec3 to_frame(const struct rl_frame *f, rl_vec3 a)
-{
-    return v3(v3_dot(f->T, a), v3_dot(f->B, a), v3_dot(f->N, a));
-}
+#include "reference/axes.h"
 
 /* The memory in its new size; what it was, and *room false, if there is none. */
 static void *grow(void *memory, size_t bytes, bool *room)
@@ -39,7 +35,7 @@ static bool reserve(struct rl_occlusion *o)
 bool rl_occlusion_begin(struct rl_occlusion *o, const struct rl_surface *surface)
 {
     o->frame = rl_frame_make(RL_FRAME_ORTHONORMAL, v3_normalize(surface->N));
-    rl_vec3 V = v3_normalize(to_frame(&o->frame, surface->V));
+    rl_vec3 V = v3_normalize(rl_frame_components(&o->frame, surface->V));
     o->v_x = V.x;
     o->v_y = V.y;
     o->n_edges = 0;
@@ -59,86 +55,45 @@ bool rl_occlusion_add(struct rl_occlusion *o, rl_vec3 a, rl_vec3 b, double doubt
 {
     if (!reserve(o))
         return false;
-    rl_vec3 p = to_frame(&o->frame, a), along = to_frame(&o->frame, v3_sub(b, a));
+    rl_vec3 p = rl_frame_components(&o->frame, a), along = rl_frame_components(&o->frame, v3_sub(b, a));
     rl_vec3 m = v3_normalize(v3_cross(p, along)), start = v3_normalize(p);
     /* Seen end-on it borders nothing. */
     if (!(v3_dot(m, m) > 0.0))
         return true;
-    rl_vec3 end = v3_normalize(to_frame(&o->frame, b)), from = v3_cross(m, start), to = v3_cross(m, end);
-    o->edge[o->n_edges] = (struct rl_shadow_edge){
-        .arc = {.m = m,
-                .start = start,
-                .end = end,
-                .next_x = o->v_x + end.x,
-                .next_y = o->v_y + end.y,
-                .q_x = o->v_x + start.x,
-                .q_y = o->v_y + start.y,
-                .from_x = from.x,
-                .from_y = from.y,
-                .to_x = to.x,
-                .to_y = to.y},
-        .doubt = doubt,
-    };
+    rl_vec3 end = v3_normalize(rl_frame_components(&o->frame, b));
+    o->edge[o->n_edges] = (struct rl_shadow_edge){rl_edge_between(o->v_x, o->v_y, m, start, end), doubt};
     o->n_edges++;
     return true;
 }
 
-/* A line's own axes: t = (c, s), b = (-s, c). */
-struct axes {
-    double c, s, v_t, v_b, v_n;
-};
-
-/* The microfacet normal of direction L: along V + L, and perpendicular to V - L where that nearly vanishes. */
-static struct rl_angle normal_of(const struct axes *x, double l_t, double l_n)
+/* The microfacet normal where the line crosses the great circle. */
+static struct rl_angle cross(const struct rl_axes *x, rl_vec3 m, bool up)
 {
-    double h_t = x->v_t + l_t, h_n = x->v_n + l_n, hh = h_t * h_t + h_n * h_n;
-    if (hh < 0.25 * (x->v_t * x->v_t + x->v_n * x->v_n)) {
-        h_t = l_n - x->v_n;
-        h_n = x->v_t - l_t;
-        hh = h_t * h_t + h_n * h_n;
-    }
-    double scale = (h_n < 0.0 ? -1.0 : 1.0) / sqrt(fmax(DBL_MIN, hh));
-    return (struct rl_angle){h_t * scale, h_n * scale};
-}
-
-/* Where the line crosses the edge's great circle, upwards or downwards (see lines.h). */
-static struct rl_angle cross(const struct axes *x, rl_vec3 m, bool up)
-{
-    double m_t = x->c * m.x + x->s * m.y, m_b = x->c * m.y - x->s * m.x;
-    double rr = fmax(DBL_MIN, m_t * m_t + m.z * m.z);
-    double d = sqrt(fmax(0.0, rr - x->v_b * x->v_b));
-    d = up ? d : -d;
-    double along = x->v_b * m_b;
-    return normal_of(x, (along * m_t + d * m.z) / rr, (along * m.z - d * m_t) / rr);
+    struct rl_on_line L = rl_axes_cross(x, m, up);
+    return rl_axes_normal(x, L.t, L.n);
 }
 
 /* The crossings of a line with one edge: 0 to 2. */
-static int cross_edge(struct rl_angle at[2], const struct axes *x, const struct rl_shadow_edge *e)
+static int cross_edge(struct rl_angle at[2], const struct rl_axes *x, const struct rl_edge *e)
 {
-    bool side_a = x->c * e->arc.q_y - x->s * e->arc.q_x >= 0.0,
-         side_b = x->c * e->arc.next_y - x->s * e->arc.next_x >= 0.0;
-    if (side_a != side_b) {
-        at[0] = cross(x, e->arc.m, side_b);
-        return 1;
-    }
-    double from = x->c * e->arc.from_y - x->s * e->arc.from_x, to = x->c * e->arc.to_y - x->s * e->arc.to_x;
-    double m_t = x->c * e->arc.m.x + x->s * e->arc.m.y;
-    bool reaches = side_a ? from < 0.0 && to > 0.0 && x->v_b > 0.0 : from > 0.0 && to < 0.0 && x->v_b < 0.0;
-    if (!reaches || !(m_t * m_t + e->arc.m.z * e->arc.m.z > x->v_b * x->v_b))
+    enum rl_meeting meeting = rl_axes_meet(x, e);
+    if (meeting == RL_MEETS_NOT)
         return 0;
-    at[0] = cross(x, e->arc.m, false);
-    at[1] = cross(x, e->arc.m, true);
+    at[0] = cross(x, e->m, meeting == RL_MEETS_UPWARDS);
+    if (meeting != RL_MEETS_TWICE)
+        return 1;
+    at[1] = cross(x, e->m, true);
     return 2;
 }
 
 /* The cuts of the line between two angles, in order. */
-static size_t find_cuts(struct rl_occlusion *o, const struct axes *x, struct rl_angle from,
+static size_t find_cuts(struct rl_occlusion *o, const struct rl_axes *x, struct rl_angle from,
                         struct rl_angle to)
 {
     size_t n = 0;
     for (size_t i = 0; i < o->n_edges; i++) {
         struct rl_angle at[2];
-        int crossings = cross_edge(at, x, &o->edge[i]);
+        int crossings = cross_edge(at, x, &o->edge[i].arc);
         for (int j = 0; j < crossings; j++) {
             if (!(at[j].s > from.s && at[j].s < to.s))
                 continue;
@@ -152,14 +107,10 @@ static size_t find_cuts(struct rl_occlusion *o, const struct axes *x, struct rl_
 }
 
 /* The direction in the middle of a part, in the frame. */
-static rl_vec3 middle(const struct axes *x, struct rl_angle from, struct rl_angle to)
+static rl_vec3 middle(const struct rl_axes *x, struct rl_angle from, struct rl_angle to)
 {
-    double s = from.s + to.s, c = from.c + to.c, length = sqrt(s * s + c * c);
-    s = length > 0.0 ? s / length : 0.0;
-    c = length > 0.0 ? c / length : 1.0;
-    double twice = 2.0 * (x->v_t * s + x->v_n * c);
-    double l_t = twice * s - x->v_t, l_n = twice * c - x->v_n;
-    return v3(x->c * l_t + x->s * x->v_b, x->s * l_t - x->c * x->v_b, l_n);
+    struct rl_on_line L = rl_axes_mirror(x, rl_angle_middle(from, to));
+    return v3(x->cos_theta * L.t + x->sin_theta * x->v_b, x->sin_theta * L.t - x->cos_theta * x->v_b, L.n);
 }
 
 /* Whether direction L lies too near to the edge for a ray to know its side. */
@@ -170,7 +121,7 @@ static bool too_near(const struct rl_cut *cut, rl_vec3 L)
 
 /* One ray for the part between two cuts (NULL: an end of the stretch). */
 static void decide(struct rl_part *part, struct rl_occlusion *o, const struct rl_lines *lines,
-                   const struct axes *x, const struct rl_cut *before, const struct rl_cut *after)
+                   const struct rl_axes *x, const struct rl_cut *before, const struct rl_cut *after)
 {
     rl_vec3 L = middle(x, part->from, part->to);
     double nearness = rl_lines_nearness(lines, L);
@@ -185,8 +136,7 @@ static void decide(struct rl_part *part, struct rl_occlusion *o, const struct rl
 size_t rl_occlusion_split(struct rl_occlusion *o, const struct rl_lines *lines, double cos_theta,
                           double sin_theta, struct rl_angle from, struct rl_angle to)
 {
-    const struct axes x = {cos_theta, sin_theta, cos_theta * lines->v_x + sin_theta * lines->v_y,
-                           cos_theta * lines->v_y - sin_theta * lines->v_x, lines->v_n};
+    const struct rl_axes x = rl_axes_make(lines, cos_theta, sin_theta);
     size_t n_cuts = find_cuts(o, &x, from, to), n = 0;
     for (size_t i = 0; i <= n_cuts; i++) {
         struct rl_part part = {.from = i > 0 ? o->cut[i - 1].at : from, .to = i < n_cuts ? o->cut[i].at : to};

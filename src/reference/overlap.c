@@ -124,7 +124,8 @@ static void find_seams(struct seams *seams, struct found *found, const struct rl
         if (seams->n == SEAMS_MOST)
             found->complete = false;
         else
-            seams->seam[seams->n++] = (struct seam){rl_edge_between(lines, m, end[i], end[i + 1]), a, b};
+            seams->seam[seams->n++] =
+                (struct seam){rl_edge_between(lines->v_x, lines->v_y, m, end[i], end[i + 1]), a, b};
     }
 }
 

@@ -23,8 +23,7 @@ struct rl_texel_pole rl_texel_pole_make(const struct rl_surface *surface, const 
         .reach = reach,
         .attenuation = attenuation,
     };
-    pole.v = v3(v3_dot(surface->V, pole.frame.T), v3_dot(surface->V, pole.frame.B),
-                v3_dot(surface->V, surface->N));
+    pole.v = rl_frame_components(&pole.frame, surface->V);
     return pole;
 }
 
