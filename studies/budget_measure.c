@@ -70,22 +70,11 @@ static int take_bits(struct errors *e, const struct rl_image *reference, struct 
     return status;
 }
 
-static int draw(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
-                const struct rl_record *r, struct rl_error *error)
-{
-    struct rl_bench_scene *set = NULL;
-    int status = rl_bench_scene_make(&set, bench, scene, r->parameters, 1, error);
-    if (status == RL_OK)
-        status = rl_seeds_draw(s, bench, set, rl_parameter_number(r->parameters, "seeds"), error);
-    rl_bench_scene_free(set);
-    return status;
-}
-
 static int take_pictures(struct errors *e, const struct rl_record *r, struct rl_bench *bench,
                          const struct rl_scene *scene, const struct truth *truth, struct rl_error *error)
 {
     struct rl_seeds s = {0};
-    int status = draw(&s, bench, scene, r, error);
+    int status = rl_seeds_draw_case(&s, bench, scene, r->parameters, error);
     for (size_t k = 0; k < e->n && status == RL_OK; k++) {
         bool all = is_arm(r, "all");
         if (all)
@@ -176,7 +165,7 @@ int rl_budget_measure(struct rl_record *records, size_t n, struct rl_bench *benc
     if (status == RL_OK)
         status = rl_bench_reference(&truth.centre, bench, scene, p, RL_LIGHT_FROM_OBJECT, error);
     if (status == RL_OK)
-        status = draw(&truth.base, bench, scene, &records[0], error);
+        status = rl_seeds_draw_case(&truth.base, bench, scene, records[0].parameters, error);
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = measure_arm(&e[i], &records[i], bench, scene, &truth, error);
         if (status == RL_OK)

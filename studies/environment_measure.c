@@ -12,17 +12,6 @@ static struct rl_interval root_of(struct rl_interval square)
     return (struct rl_interval){rl_root(square.value), rl_root(square.low), rl_root(square.high)};
 }
 
-static int draw(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
-                const struct rl_record *r, struct rl_error *error)
-{
-    struct rl_bench_scene *set = NULL;
-    int status = rl_bench_scene_make(&set, bench, scene, r->parameters, 1, error);
-    if (status == RL_OK)
-        status = rl_seeds_draw(s, bench, set, rl_parameter_number(r->parameters, "seeds"), error);
-    rl_bench_scene_free(set);
-    return status;
-}
-
 /* Between pictures of the same seeds. A texel's border moves some normals from light to dark, which is noise of its own: floor_map
  * is without it. */
 static int add_difference(struct rl_record *r, const struct rl_seeds *s, const struct rl_seeds *base,
@@ -67,7 +56,7 @@ static int measure_maps(struct rl_record *records, size_t n, struct rl_bench *be
 {
     struct rl_seeds base = {0};
     const struct rl_image *centre = NULL;
-    int status = draw(&base, bench, scene, &records[0], error);
+    int status = rl_seeds_draw_case(&base, bench, scene, records[0].parameters, error);
     if (status == RL_OK && with_floor)
         status =
             rl_bench_reference(&centre, bench, scene, records[0].parameters, RL_LIGHT_FROM_OBJECT, error);
@@ -75,7 +64,7 @@ static int measure_maps(struct rl_record *records, size_t n, struct rl_bench *be
         status = add_floor(&records[0], &base, centre, error);
     for (size_t i = 1; i < n && status == RL_OK; i++) {
         struct rl_seeds s = {0};
-        status = draw(&s, bench, scene, &records[i], error);
+        status = rl_seeds_draw_case(&s, bench, scene, records[i].parameters, error);
         if (status == RL_OK)
             status = add_difference(&records[i], &s, &base, error);
         if (status == RL_OK && with_floor)

@@ -33,12 +33,7 @@ static int draw(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scen
 {
     if (rl_parameters_match(parameters, "method=exhaustive"))
         return draw_exhaustive(s, bench, scene, parameters, error);
-    struct rl_bench_scene *set = NULL;
-    int status = rl_bench_scene_make(&set, bench, scene, parameters, 1, error);
-    if (status == RL_OK)
-        status = rl_seeds_draw(s, bench, set, rl_parameter_number(parameters, "seeds"), error);
-    rl_bench_scene_free(set);
-    return status;
+    return rl_seeds_draw_case(s, bench, scene, parameters, error);
 }
 
 static int measure_error(struct rl_record *r, struct rl_bench *bench, const struct rl_scene *scene,

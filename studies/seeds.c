@@ -39,6 +39,17 @@ int rl_seeds_draw(struct rl_seeds *s, struct rl_bench *bench, struct rl_bench_sc
     return status;
 }
 
+int rl_seeds_draw_case(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
+                       const char *parameters, struct rl_error *error)
+{
+    struct rl_bench_scene *set = NULL;
+    int status = rl_bench_scene_make(&set, bench, scene, parameters, 1, error);
+    if (status == RL_OK)
+        status = rl_seeds_draw(s, bench, set, rl_parameter_number(parameters, "seeds"), error);
+    rl_bench_scene_free(set);
+    return status;
+}
+
 void rl_seeds_clear(struct rl_seeds *s)
 {
     for (size_t k = 0; k < s->n; k++)

@@ -28,6 +28,9 @@ int rl_seeds_check(const char *parameters, struct rl_error *error);
  * which must be empty before and is cleared by the caller in any case. */
 int rl_seeds_draw(struct rl_seeds *s, struct rl_bench *bench, struct rl_bench_scene *set, double n,
                   struct rl_error *error);
+/* The same of a scene that is set up for it, with as many seeds as the case's parameters say. */
+int rl_seeds_draw_case(struct rl_seeds *s, struct rl_bench *bench, const struct rl_scene *scene,
+                       const char *parameters, struct rl_error *error);
 void rl_seeds_clear(struct rl_seeds *s);
 
 /* a - b seed by seed, covered where both are; as many as both have. `difference` must be empty before and is cleared by the caller in any
