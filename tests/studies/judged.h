@@ -66,4 +66,18 @@ static inline void check_undecided(const char *study, struct rl_run *run, size_t
     rl_claims_clear(&claims);
 }
 
+/* Every case that was planned is another one; and once all are measured, each pattern finds one. */
+static inline void check_plan(struct rl_run *run, const char *const *needed, size_t n)
+{
+    rl_run_identify(run, "env");
+    for (size_t i = 0; i < run->n_records; i++) {
+        run->record[i].status = RL_RECORD_OK;
+        for (size_t k = 0; k < i; k++)
+            assert_string_not_equal(run->record[i].identity, run->record[k].identity);
+    }
+    for (size_t i = 0; i < n; i++)
+        if (!rl_run_find(run, NULL, needed[i]))
+            fail_msg("no case of %s is '%s'", run->study, needed[i]);
+}
+
 #endif

@@ -191,14 +191,7 @@ static void test_plan(void **state)
         struct rl_run run = {.study = "accuracy"};
         assert_int_equal(study()->plan_alone(&run, &alone, (enum rl_grid)grid, 0, NULL), RL_OK);
         assert_int_equal(study()->plan(&run, &place, (enum rl_grid)grid, 3, NULL), RL_OK);
-        rl_run_identify(&run, "env");
-        for (size_t i = 0; i < run.n_records; i++) {
-            run.record[i].status = RL_RECORD_OK;
-            for (size_t k = 0; k < i; k++)
-                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
-        }
-        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
-            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        check_plan(&run, needed, sizeof needed / sizeof needed[0]);
         for (size_t i = 0; i < rl_n_integrators; i++) {
             char pattern[80];
             snprintf(pattern, sizeof pattern, "part=points integrator=%s light=star",

@@ -176,15 +176,8 @@ static void nothing_measured(void **state)
 {
     (void)state;
     struct rl_run run;
-    struct rl_claims claims = {0};
     make(&run, &usual);
-    for (size_t i = 0; i < run.n_records; i++)
-        run.record[i].status = RL_RECORD_FAILED;
-    assert_int_equal(rl_study_find("distribution")->judge(&claims, &run, NULL), RL_OK);
-    assert_int_equal(claims.n, 12);
-    for (size_t i = 0; i < claims.n; i++)
-        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
-    rl_claims_clear(&claims);
+    check_undecided("distribution", &run, 12);
     rl_run_clear(&run);
 }
 
@@ -289,19 +282,12 @@ static void every_grid_has_what_claims_need(void **state)
         struct rl_run run = {.study = "distribution"};
         assert_int_equal(rl_study_find("distribution")->plan_alone(&run, &place, (enum rl_grid)grid, 0, NULL),
                          RL_OK);
-        rl_run_identify(&run, "env");
-        for (size_t i = 0; i < run.n_records; i++) {
-            run.record[i].status = RL_RECORD_OK;
-            for (size_t k = 0; k < i; k++)
-                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
-        }
         static const char *const needed[] = {
             "series=map normal_bits=8 rr=1",        "series=map normal_bits=16 rr=30",
             "series=map normal_bits=half rr=1000",  "series=map normal_bits=float rr=1000",
             "series=point generator=lcg samples=4", "series=point generator=hash samples=4",
             "series=patch generator=reference"};
-        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
-            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        check_plan(&run, needed, sizeof needed / sizeof needed[0]);
         rl_run_clear(&run);
     }
 }

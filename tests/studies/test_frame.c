@@ -136,15 +136,8 @@ static void nothing_measured(void **state)
 {
     (void)state;
     struct rl_run run;
-    struct rl_claims claims = {0};
     make(&run, &usual);
-    for (size_t i = 0; i < run.n_records; i++)
-        run.record[i].status = RL_RECORD_FAILED;
-    assert_int_equal(rl_study_find("frame")->judge(&claims, &run, NULL), RL_OK);
-    assert_int_equal(claims.n, 7);
-    for (size_t i = 0; i < claims.n; i++)
-        assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
-    rl_claims_clear(&claims);
+    check_undecided("frame", &run, 7);
     rl_run_clear(&run);
 }
 
@@ -237,16 +230,9 @@ static void every_grid_has_what_claims_need(void **state)
         const struct rl_study *study = rl_study_find("frame");
         assert_int_equal(study->plan_alone(&run, &alone, (enum rl_grid)grid, 0, NULL), RL_OK);
         assert_int_equal(study->plan(&run, &made_up, (enum rl_grid)grid, 100, NULL), RL_OK);
-        rl_run_identify(&run, "env");
-        for (size_t i = 0; i < run.n_records; i++) {
-            run.record[i].status = RL_RECORD_OK;
-            for (size_t k = 0; k < i; k++)
-                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
-        }
         static const char *const needed[] = {"series=lobe rr=30", "series=light place=middle rr=30",
                                              "series=light place=far rr=30", "series=scene rr=30"};
-        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
-            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        check_plan(&run, needed, sizeof needed / sizeof needed[0]);
         rl_run_clear(&run);
     }
 }

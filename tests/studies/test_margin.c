@@ -203,20 +203,13 @@ static void test_plan(void **state)
         assert_int_equal(rl_study_find("margin")->plan_alone(&run, &alone, (enum rl_grid)grid, 0, NULL),
                          RL_OK);
         assert_int_equal(rl_study_find("margin")->plan(&run, &place, (enum rl_grid)grid, 100, NULL), RL_OK);
-        rl_run_identify(&run, "env");
-        for (size_t i = 0; i < run.n_records; i++) {
-            run.record[i].status = RL_RECORD_OK;
-            for (size_t k = 0; k < i; k++)
-                assert_string_not_equal(run.record[i].identity, run.record[k].identity);
-        }
         static const char *const needed[] = {
             "series=margin arm=off rr=30",    "series=margin arm=again rr=300",
             "series=margin arm=auto rr=30",   "series=margin arm=huge rr=30",
             "series=margin arm=0.5 rr=30",    "series=bound rr=30",
             "series=filled loss=0.02 rr=300", "series=margin arm=none rr=300 method=none",
         };
-        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
-            assert_non_null(rl_run_find(&run, NULL, needed[i]));
+        check_plan(&run, needed, sizeof needed / sizeof needed[0]);
         rl_run_clear(&run);
     }
 }
