@@ -15,14 +15,7 @@
  * that it is not in; of one that it is in, it gets what is seen from one of its sides.
  *
  * Polygons of a mesh light count half: a ray into a closed, convex body meets two of its faces (src/scene/seen_lights.c). */
-#include "effects/effect.h"
-
-static void pack(const double *value, double params[][4])
-{
-    for (int i = 0; i < 3; i++)
-        params[0][i] = value[i] / RL_PI;
-    params[0][3] = 0.0;
-}
+#include "effects/lambert.h"
 
 /* The angle about N from a to b, both on the horizon. */
 static double turn(rl_vec3 N, rl_vec3 a, rl_vec3 b)
@@ -73,28 +66,16 @@ static void area(const struct rl_surface *s, const rl_vec3 *vertex, int n, doubl
         rgb[c] = params[0][c] * irradiance;
 }
 
-static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
-{
-    double n_l = fmax(0.0, v3_dot(s->N, L));
-    for (int c = 0; c < 3; c++)
-        rgb[c] = params[0][c] * n_l;
-}
-
-static const struct rl_effect_param param[] = {
-    {.help = "k_d, the reflectance", .kind = RL_EFFECT_COLOUR, .high = 1.0, .coefficient = true},
-    {0},
-};
-
 const struct rl_effect rl_effect_diffuse_area = {
     .name = "diffuse-area",
     .summary = "k_d: Lambert's law, polygon lights by their exact irradiance",
     .sees = RL_SEES_SOURCES | RL_SEES_POLYGONS,
     .roles = RL_ROLE_DIFFUSE,
-    .param = param,
+    .param = rl_lambert_param,
     .modules = {"common/arctangent"},
     .n_params = 1,
-    .pack = pack,
-    .reflect = reflect,
+    .pack = rl_lambert_pack,
+    .reflect = rl_lambert_reflect,
     .area = area,
     .absolute = 1e-6,
 };
