@@ -93,7 +93,7 @@ static int plan_scene(struct rl_planned *p, const char *path, enum rl_grid grid,
     if (status != RL_OK)
         return status;
     p->n_scenes++;
-    status = rl_scene_check(scene, error);
+    status = p->study->fits ? p->study->fits(scene, error) : rl_scene_check(scene, error);
     if (status != RL_OK)
         return status;
     char name[RL_NAME_MAX];

@@ -61,6 +61,9 @@ struct rl_study {
     const char *const *figure_patterns;
     const struct rl_figure *figures_alone; /* of the cases without a scene */
     size_t n_figures_alone;
+    /* Whether a scene is one that it can run on, asked before anything is planned (RL_ERR_INPUT: why not); NULL: any with a shaped light and
+     * a highlight in view (scene_check.h). */
+    int (*fits)(const struct rl_scene *scene, struct rl_error *error);
     /* Adds the cases of one scene to `run`. Groups are numbered from `first_group` on. */
     int (*plan)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
                 struct rl_error *error);
