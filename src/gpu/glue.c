@@ -36,16 +36,14 @@ static void write_factor(FILE *out, const struct rl_plan_material *m)
     fprintf(out, ";\n}\n");
 }
 
-/* for each light: rgb += irradiance (reflect_A + reflect_B + ...) */
-static void write_incident(FILE *out, const struct rl_plan_material *m, unsigned sees, const char *count,
-                           const char *from)
+/* for each light from `first` to before `end`: rgb += irradiance (reflect_A + reflect_B + ...) */
+static void write_incident(FILE *out, const struct rl_plan_material *m, unsigned sees, const char *first,
+                           const char *end, const char *from)
 {
-    if (!(m->sees & sees))
-        return;
     fprintf(out,
-            "    for (int i = 0; i < %s; i++) {\n        Incident light = %s(i, s.P);\n"
+            "    for (int i = %s; i < %s; i++) {\n        Incident light = %s(i, s.P);\n"
             "        rgb += light.irradiance * (vec3(0.0)",
-            count, from);
+            first, end, from);
     for (size_t i = 0; i < m->n_effects; i++)
         if (m->effect[i]->reflect && m->effect[i]->sees & sees) {
             fprintf(out, " + ");
@@ -78,8 +76,12 @@ static void write_effects(FILE *out, const struct rl_plan_material *m)
             call(out, "constant", m->effect[i], "s");
             fprintf(out, ";\n");
         }
-    write_incident(out, m, RL_SEES_SOURCES, "N_SOURCES", "from_source");
-    write_incident(out, m, RL_SEES_CENTROIDS, "N_LIGHTS", "from_centroid");
+    if (m->n_points > 0)
+        write_incident(out, m, RL_SEES_SOURCES, "0", "N_POINTS", "from_point");
+    if (m->n_parallels > 0)
+        write_incident(out, m, RL_SEES_SOURCES, "N_POINTS", "N_SOURCES", "from_parallel");
+    if (m->sees & RL_SEES_CENTROIDS)
+        write_incident(out, m, RL_SEES_CENTROIDS, "0", "N_LIGHTS", "from_centroid");
     write_areas(out, m);
     fprintf(out, "    return rgb;\n}\n");
 }

@@ -155,7 +155,6 @@ static int fill_sources(struct rl_gpu_scene *gs, struct rl_error *error)
     for (size_t i = 0; i < n && block; i++) {
         const struct rl_source *source = &gs->scene->source[gs->plan->source[i]];
         store(block[i].at, source->at);
-        block[i].at[3] = source->parallel ? 0.0f : 1.0f;
         store_rgb(block[i].strength, source->strength);
     }
     return upload(gs, GL_UNIFORM_BUFFER, &gs->lights.sources, block, n * sizeof *block, error);

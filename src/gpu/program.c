@@ -37,12 +37,13 @@ static const struct rl_plan_material *find_material(const struct rl_plan *plan, 
 static int write_defines(char **text, const struct rl_plan *plan, const struct rl_plan_program *program,
                          const struct rl_scene *scene, struct rl_error *error)
 {
-    int n =
-        asprintf(text,
-                 "#define N_LIGHTS %zu\n#define N_SOURCES %zu\n#define N_POLYGONS %zu\n#define SAMPLES %d\n"
-                 "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
-                 plan->n_lights, plan->n_sources, rl_plan_polygons(plan, scene), program->samples,
-                 plan->settings.normal_size, rl_normal_map_step(plan->settings.normal_size));
+    int n = asprintf(text,
+                     "#define N_LIGHTS %zu\n#define N_POINTS %zu\n#define N_SOURCES %zu\n#define N_POLYGONS "
+                     "%zu\n#define SAMPLES %d\n"
+                     "#define NORMAL_MAP_SIZE %d\n#define NORMAL_MAP_STEP %uu\n",
+                     plan->n_lights, plan->n_points, plan->n_sources, rl_plan_polygons(plan, scene),
+                     program->samples, plan->settings.normal_size,
+                     rl_normal_map_step(plan->settings.normal_size));
     if (n < 0) {
         *text = NULL;
         return rl_fail_memory(error, "a shader");

@@ -47,6 +47,10 @@ static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan
     }
     bool lit = m->sees & RL_SEES_CENTROIDS || (m->method && m->method->needs_point_lights);
     m->n_point_lights = lit ? (int)plan->n_lights : 0;
+    if (m->sees & RL_SEES_SOURCES) {
+        m->n_points = (int)plan->n_points;
+        m->n_parallels = (int)(plan->n_sources - plan->n_points);
+    }
 }
 
 /* Fills the materials that some object in view wears. */
@@ -157,11 +161,14 @@ static void begin(struct rl_plan *plan, const struct rl_scene *scene)
         plan->settings.height = scene->height;
     }
     plan->n_lights = scene->n_lights;
-    plan->n_sources = scene->n_sources;
     for (size_t i = 0; i < scene->n_lights; i++)
         plan->light[i] = i;
-    for (size_t i = 0; i < scene->n_sources; i++)
-        plan->source[i] = i;
+    for (int parallel = 0; parallel < 2; parallel++)
+        for (size_t i = 0; i < scene->n_sources; i++)
+            if (scene->source[i].parallel == (parallel == 1)) {
+                plan->source[plan->n_sources++] = i;
+                plan->n_points += !parallel;
+            }
     rl_plan_drop_objects(plan, scene);
     for (size_t i = 0; i < scene->n_objects; i++)
         plan->object[i].highlit = true;

@@ -34,14 +34,15 @@ struct rl_plan_material {
     int samples;
     size_t n_effects;
     const struct rl_effect *effect[RL_PLAN_EFFECTS_MAX];
-    unsigned sees;         /* enum rl_effect_sees: what of the scene's lights its effects see */
-    int n_point_lights;    /* 0 if nothing of this material asks for them */
-    int surface_program;   /* index; base shading, and the highlight too if the method takes no samples */
-    int highlight_program; /* index or -1: the sampled highlight's own pass */
-    int sphere_program;    /* index or -1: the bounding-sphere stencil */
-    int normal_map;        /* index or -1 */
-    int pattern;           /* index or -1 */
-    double margin;         /* of the spheres, >= 0; with sphere_program */
+    unsigned sees;             /* enum rl_effect_sees: what of the scene's lights its effects see */
+    int n_point_lights;        /* 0 if nothing of this material asks for them */
+    int n_points, n_parallels; /* point and parallel lights that its effects see */
+    int surface_program;       /* index; base shading, and the highlight too if the method takes no samples */
+    int highlight_program;     /* index or -1: the sampled highlight's own pass */
+    int sphere_program;        /* index or -1: the bounding-sphere stencil */
+    int normal_map;            /* index or -1 */
+    int pattern;               /* index or -1 */
+    double margin;             /* of the spheres, >= 0; with sphere_program */
 };
 
 /* A normal map is shared by all materials of one R_r, a pattern by all of one R_r and sample count. */
@@ -77,6 +78,7 @@ struct rl_plan {
     struct rl_plan_normal_map *normal_map;
     struct rl_plan_pattern *pattern;
     size_t n_lights, n_sources;
+    size_t n_points;               /* of the sources: point lights, which come first; the rest are parallel */
     size_t *light, *source;        /* indices in the scene of those that are not dropped */
     struct rl_plan_object *object; /* per object */
     size_t n_drops;

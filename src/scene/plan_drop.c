@@ -129,12 +129,14 @@ void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
             plan->light[n++] = plan->light[i];
     }
     plan->n_lights = n;
-    n = 0;
+    n = plan->n_points = 0;
     for (size_t i = 0; i < plan->n_sources; i++) {
         const struct rl_source *source = &scene->source[plan->source[i]];
         const struct body body = {.at = source->at, .parallel = source->parallel};
-        if (!dark(source->strength) && !unseen_by_all(plan, scene, &body, RL_SEES_SOURCES))
-            plan->source[n++] = plan->source[i];
+        if (dark(source->strength) || unseen_by_all(plan, scene, &body, RL_SEES_SOURCES))
+            continue;
+        plan->source[n++] = plan->source[i];
+        plan->n_points += !source->parallel;
     }
     plan->n_sources = n;
     for (size_t i = 0; i < scene->n_objects; i++) {

@@ -90,6 +90,10 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
         add_module(&program, "common", "incident");
     if (m->sees & RL_SEES_SOURCES)
         add_module(&program, "common", "sources");
+    if (m->n_points > 0)
+        add_module(&program, "common", "point_sources");
+    if (m->n_parallels > 0)
+        add_module(&program, "common", "parallel_sources");
     if (m->sees & RL_SEES_CENTROIDS)
         add_module(&program, "common", "centroids");
     if (m->sees & RL_SEES_POLYGONS)

@@ -20,6 +20,8 @@ static void test_sources(void **state)
     assert_null(shiny->method); /* the highlight is of shaped lights */
     assert_int_equal(shiny->n_point_lights, 0);
     assert_true(has_module(shiny->surface_program, "common/sources"));
+    assert_true(has_module(shiny->surface_program, "common/parallel_sources"));
+    assert_false(any_module("common/point_sources"));
     assert_false(any_module("common/centroids"));
     assert_false(any_module("common/lights"));
     assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->sees, 0);
@@ -30,6 +32,34 @@ static void test_sources(void **state)
     assert_int_equal(plan.sees, RL_SEES_CENTROIDS);
     assert_true(any_module("common/centroids"));
     assert_false(any_module("common/sources"));
+    clear();
+}
+
+/* Point lights come before parallel ones, and each kind brings its own module: no shader asks which a light is. */
+static void test_kinds(void **state)
+{
+    (void)state;
+    load(24, 32,
+         "  - {direction: [0, -1, 0], irradiance: [1, 1, 1]}\n"
+         "  - {position: [0, 3, 0], intensity: [1, 1, 1]}\n"
+         "  - {direction: [1, -1, 0], irradiance: [1, 1, 1]}\n"
+         "  - {position: [1, 3, 0], intensity: [1, 1, 1]}");
+    make(&scene.settings);
+    static const size_t order[] = {1, 3, 0, 2};
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    assert_int_equal(plan.n_sources, 4);
+    assert_int_equal(plan.n_points, 2);
+    assert_memory_equal(plan.source, order, sizeof order);
+    assert_true(shiny->n_points == 2 && shiny->n_parallels == 2);
+    assert_true(has_module(shiny->surface_program, "common/point_sources"));
+    assert_true(has_module(shiny->surface_program, "common/parallel_sources"));
+    const struct rl_plan_material *matt = rl_plan_of_object(&plan, &scene, 1);
+    assert_true(matt->n_points == 0 && matt->n_parallels == 0);
+    clear();
+    load(24, 32, "  - {position: [0, 3, 0], intensity: [1, 1, 1]}");
+    make(&scene.settings);
+    assert_true(any_module("common/point_sources"));
+    assert_false(any_module("common/parallel_sources"));
     clear();
 }
 
@@ -73,6 +103,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sources),
+        cmocka_unit_test(test_kinds),
         cmocka_unit_test(test_effects),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
