@@ -221,12 +221,12 @@ report: all
 	$(BUILD)/roughlight study report --db $(BUILD)/results.db -o $(BUILD)/report
 
 # The commands go to stderr: stdout is the tables, with an empty line between two.
-## Time and true error of every integrator, images and exhaustive; tables and verdicts on stdout
+## Integrators: time and true error; a plan's frame against bare OpenGL; tables and verdicts on stdout
 bench: all
-	@$(BUILD)/roughlight study run accuracy --db $(BUILD)/results.db $(grid)
+	@$(BUILD)/roughlight study run accuracy bare --db $(BUILD)/results.db $(grid)
 	@$(BUILD)/roughlight study export --db $(BUILD)/results.db -o $(BUILD)/tables
-	@for table in points images kernel; do cat $(BUILD)/tables/accuracy_$$table.tsv; echo; done
-	@awk -F '\t' 'NR == 1 || $$7 == "accuracy"' $(BUILD)/tables/claims.tsv
+	@for table in accuracy_points accuracy_images accuracy_kernel bare; do cat $(BUILD)/tables/$$table.tsv; echo; done
+	@awk -F '\t' 'NR == 1 || $$7 == "accuracy" || $$7 == "bare"' $(BUILD)/tables/claims.tsv
 
 # Before anything is built for it.
 all_faults := $(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch)))

@@ -1,0 +1,274 @@
+/* Times a plan against bare OpenGL, and judges (see bare.h). */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "studies/bare.h"
+#include "studies/bare_program.h"
+#include "studies/judging.h"
+#include "studies/timing_arms.h"
+
+enum { ARMS_MAX = 8 };
+
+/* ---- Measuring ---- */
+
+/* One of a group's arms, ready to draw. */
+struct arm {
+    struct rl_bench_scene *set; /* of the plan, or NULL */
+    struct rl_bare *bare;       /* of the others, or NULL */
+};
+
+static bool is_arm(const struct rl_record *r, const char *arm)
+{
+    char name[RL_NAME_MAX];
+    rl_parameter(r->parameters, "arm", name, sizeof name);
+    return strcmp(name, arm) == 0;
+}
+
+/* A view of the scene whose materials have nothing but diffuse and phong. free() its materials. */
+static int strip(struct rl_scene *view, const struct rl_scene *scene, struct rl_error *error)
+{
+    *view = *scene;
+    view->material = malloc(scene->n_materials * sizeof *scene->material);
+    if (!view->material)
+        return rl_fail_memory(error, "a scene's materials");
+    memcpy(view->material, scene->material, scene->n_materials * sizeof *scene->material);
+    for (size_t i = 0; i < view->n_materials; i++)
+        for (size_t row = 0; row < rl_n_effects; row++)
+            if (rl_effects[row] != rl_effect_find("diffuse") && rl_effects[row] != rl_effect_find("phong"))
+                view->material[i].effect[row].given = false;
+    return RL_OK;
+}
+
+int rl_bare_fits(const struct rl_scene *scene, struct rl_error *error)
+{
+    struct rl_scene view;
+    int status = strip(&view, scene, error);
+    if (status == RL_OK)
+        status = rl_bare_check(&view, error);
+    free(view.material);
+    return status;
+}
+
+static int make(struct arm *arm, const struct rl_record *r, struct rl_bench *bench,
+                const struct rl_scene *view, struct rl_error *error)
+{
+    if (is_arm(r, "plan"))
+        return rl_bench_scene_make(&arm->set, bench, view, r->parameters, 1, error);
+    int width = (int)rl_parameter_number(r->parameters, "width");
+    int height = (int)rl_parameter_number(r->parameters, "height");
+    enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_SETUP);
+    int status = rl_bare_make(&arm->bare, bench->gpu, view, width, height,
+                              is_arm(r, "literals") ? RL_BARE_LITERALS : RL_BARE_UNIFORMS, error);
+    rl_spent_on(&bench->spent, outer);
+    return status;
+}
+
+static int draw(struct rl_image *image, const struct arm *arm, struct rl_bench *bench, struct rl_error *error)
+{
+    double seconds;
+    if (arm->set)
+        return rl_bench_draw(image, bench, arm->set, error);
+    int status = rl_bare_frame(arm->bare, &seconds, error);
+    return status == RL_OK ? rl_bare_read(arm->bare, image, error) : status;
+}
+
+static int add(struct rl_record *r, const char *name, double x, struct rl_error *error)
+{
+    return rl_record_metric_add(r, name, x, x, x, "1", error);
+}
+
+/* What the plan's frame does, and what there is for it. */
+static int add_work(struct rl_record *r, const struct rl_bench_scene *set, struct rl_error *error)
+{
+    struct rl_gpu_counters before = rl_gpu_scene_counters(set->gpu_scene);
+    double seconds;
+    int status = rl_gpu_scene_frame(set->gpu_scene, &seconds, error);
+    struct rl_gpu_counters after = rl_gpu_scene_counters(set->gpu_scene);
+    if (status == RL_OK)
+        status = add(r, "draws", (double)(after.draws - before.draws), error);
+    if (status == RL_OK)
+        status = add(r, "programs", (double)after.programs, error);
+    return status == RL_OK ? add(r, "textures", (double)after.textures, error) : status;
+}
+
+/* The largest difference from the first arm's picture. */
+static int add_pictures(struct rl_record *records, const struct arm *arm, size_t n, struct rl_bench *bench,
+                        struct rl_error *error)
+{
+    struct rl_image first = {0}, image = {0};
+    int status = draw(&first, &arm[0], bench, error);
+    for (size_t i = 1; i < n && status == RL_OK; i++) {
+        double worst = 0.0;
+        status = draw(&image, &arm[i], bench, error);
+        for (size_t k = 0; status == RL_OK && k < 4 * (size_t)image.width * (size_t)image.height; k++)
+            worst = fmax(worst, fabs((double)image.data[k] - (double)first.data[k]));
+        if (status == RL_OK)
+            status = add(&records[i], "worst", worst, error);
+        rl_image_clear(&image);
+    }
+    rl_image_clear(&first);
+    return status;
+}
+
+static int measure(struct rl_record *records, struct arm *arm, size_t n, struct rl_bench *bench,
+                   const struct rl_scene *view, struct rl_error *error)
+{
+    int rounds = (int)rl_parameter_number(records[0].parameters, "rounds");
+    const struct rl_arms_options options = {.frames = rounds,
+                                            .most_frames = 2 * rounds,
+                                            .most_seconds = 0.02 * rounds,
+                                            .against = "arm=uniforms",
+                                            .ratio = "time_to_uniforms"};
+    struct rl_timing_arm timed[ARMS_MAX];
+    int status = RL_OK;
+    for (size_t i = 0; i < n && status == RL_OK; i++) {
+        status = make(&arm[i], &records[i], bench, view, error);
+        timed[i] = arm[i].set ? (struct rl_timing_arm){records[i].parameters, rl_arms_frame, arm[i].set}
+                              : (struct rl_timing_arm){records[i].parameters, rl_bare_frame, arm[i].bare};
+    }
+    if (status == RL_OK)
+        status = add_work(&records[0], arm[0].set, error);
+    if (status == RL_OK)
+        status = add_pictures(records, arm, n, bench, error);
+    return status == RL_OK ? rl_arms_time(records, timed, n, bench, &options, error) : status;
+}
+
+int rl_bare_measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
+                    struct rl_error *error)
+{
+    if (n > ARMS_MAX || !is_arm(&records[0], "plan"))
+        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, expected at most %d, the plan's first", n,
+                       ARMS_MAX);
+    struct arm arm[ARMS_MAX] = {{NULL, NULL}};
+    struct rl_scene view;
+    int status = strip(&view, scene, error);
+    if (status == RL_OK)
+        status = measure(records, arm, n, bench, &view, error);
+    for (size_t i = 0; i < n; i++) {
+        rl_bench_scene_free(arm[i].set);
+        rl_bare_free(arm[i].bare);
+    }
+    free(view.material);
+    return status;
+}
+
+/* ---- Claims ---- */
+
+/* A pattern for one arm of the size that speaks: the widest. */
+static const char *of(char text[64], const char *arm, double width)
+{
+    snprintf(text, 64, "arm=%.20s width=%g", arm, width);
+    return text;
+}
+
+/* What two arms of the same work differ by. */
+static double noise_at(const struct rl_judging *j, double width)
+{
+    char text[64];
+    return rl_arms_noise(rl_judging_metric(j, of(text, "again", width), "time_to_uniforms"));
+}
+
+static int claim_bound(const struct rl_judging *j, double width)
+{
+    char text[64], words[160];
+    snprintf(
+        words, sizeof words,
+        "ours: by its plan a scene of diffuse and phong takes at most %g times a bare OpenGL program for "
+        "that scene",
+        RL_BARE_BOUND);
+    struct rl_claim *c = rl_judging_claim(j, words);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "ratio";
+    const struct rl_metric *ratio = rl_judging_metric(j, of(text, "plan", width), "time_to_uniforms");
+    double noise = noise_at(j, width);
+    if (ratio)
+        rl_claim_value(c, ratio->value, ratio->low, ratio->high, "times");
+    c->verdict = rl_arms_at_most(ratio, noise, RL_BARE_BOUND);
+    if (!isnan(noise))
+        snprintf(c->note, sizeof c->note, "two arms of the same work differ by up to %.2g", noise);
+    return RL_OK;
+}
+
+static int claim_work(const struct rl_judging *j, double width)
+{
+    char text[64];
+    struct rl_claim *c = rl_judging_claim(
+        j, "ours: that plan draws once, with one program and no texture (draws, programs less 1 "
+           "and textures add up to 1)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "ratio";
+    const struct rl_record *r = rl_run_find(j->run, j->scene, of(text, "plan", width));
+    const struct rl_metric *draws = r ? rl_record_metric(r, "draws") : NULL;
+    const struct rl_metric *programs = r ? rl_record_metric(r, "programs") : NULL;
+    const struct rl_metric *textures = r ? rl_record_metric(r, "textures") : NULL;
+    if (!draws || !programs || !textures)
+        return RL_OK;
+    double sum = draws->value + programs->value - 1.0 + textures->value;
+    rl_claim_value(c, sum, sum, sum, "draws");
+    snprintf(c->note, sizeof c->note, "%g draws, %g programs, %g textures", draws->value, programs->value,
+             textures->value);
+    c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.0);
+    return RL_OK;
+}
+
+static int claim_pictures(const struct rl_judging *j, double width)
+{
+    char text[64];
+    struct rl_claim *c =
+        rl_judging_claim(j, "ours: both draw the same picture (no component is off by more than 1e-4)");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "ratio";
+    const struct rl_metric *worst = rl_judging_metric(j, of(text, "uniforms", width), "worst");
+    if (worst)
+        rl_claim_value(c, worst->value, worst->low, worst->high, "of full scale");
+    c->verdict = rl_verdict_at_most(c->low, c->high, 1e-4);
+    return RL_OK;
+}
+
+static int claim_literals(const struct rl_judging *j, double width)
+{
+    char text[64];
+    struct rl_claim *c = rl_judging_claim(
+        j,
+        "ours: to write the numbers of scene and material into the bare shader, in place of uniforms, saves "
+        "at most a tenth of the frame");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "ratio";
+    const struct rl_metric *ratio = rl_judging_metric(j, of(text, "literals", width), "time_to_uniforms");
+    if (ratio)
+        rl_claim_value(c, ratio->value, ratio->low, ratio->high, "times");
+    double noise = noise_at(j, width);
+    if (ratio && !isnan(noise))
+        c->verdict = rl_verdict_at_least(ratio->low - noise, ratio->high + noise, 0.9);
+    return RL_OK;
+}
+
+static int judge(const struct rl_judging *j)
+{
+    double width[RL_AXIS_MAX];
+    size_t n = rl_judging_axis(j, "arm=plan", "width", width);
+    double widest = n ? width[n - 1] : 0.0;
+    int status = claim_bound(j, widest);
+    if (status == RL_OK)
+        status = claim_work(j, widest);
+    if (status == RL_OK)
+        status = claim_pictures(j, widest);
+    return status == RL_OK ? claim_literals(j, widest) : status;
+}
+
+int rl_bare_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    int status = RL_OK;
+    const char *scene;
+    for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
+        const struct rl_judging j = {run, scene, claims, error};
+        status = judge(&j);
+    }
+    return status;
+}
