@@ -1,6 +1,7 @@
 /* What the GPU layer did is what the plan says, and without an effect it is just that effect's share less: for every effect of the table. */
 #include "gpu/context.h"
 #include "gpu/fixture.h"
+#include "studies/features.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };
 
@@ -23,36 +24,6 @@ static int close_gpu(void **state)
     return 0;
 }
 
-/* Every coefficient 0.5, everything required at its least, choices at their first. */
-static void give(struct rl_material *material, const struct rl_effect *e)
-{
-    double *value = rl_effect_give(material, e);
-    for (size_t k = 0; e->param[k].help; k++) {
-        const struct rl_effect_param *p = &e->param[k];
-        for (int c = 0; c < (p->kind == RL_EFFECT_COLOUR ? 3 : 1); c++, value++)
-            if (p->coefficient && !isnan(p->absent[c]))
-                *value = 0.5;
-            else if (p->required)
-                *value = fmax(0.5, p->low);
-    }
-}
-
-/* Combinations that a descriptor's own check refuses are completed: the reflectance of cook-torrance, the c of goldman. */
-static void complete(struct rl_material *material, const struct rl_effect *e)
-{
-    double *value = NULL;
-    for (size_t row = 0; row < rl_n_effects; row++)
-        value = rl_effects[row] == e ? material->effect[row].value : value;
-    const char *key = NULL;
-    if (!e->check || !e->check(value, &key))
-        return;
-    for (size_t k = 0; e->param[k].help; k++)
-        if (e->param[k].key && strcmp(e->param[k].key, key) == 0)
-            for (int c = 0; c < (e->param[k].kind == RL_EFFECT_COLOUR ? 3 : 1); c++)
-                value[rl_effect_value_of(e, k) + (size_t)c] = 0.5;
-    assert_null(e->check(value, &key));
-}
-
 /* A ball for each effect, in a row, and one with a sampled highlight, as those with a factor on it have; a shaped light and a point light. `without`: a row that none has. */
 static void begin_scene(struct rl_scene *scene, size_t without)
 {
@@ -71,10 +42,8 @@ static void begin_scene(struct rl_scene *scene, size_t without)
         m->method = row == rl_n_effects || rl_effects[row]->factor ? "random" : NULL;
         for (int c = 0; c < 3; c++)
             m->specular[c] = 1.0;
-        if (row < rl_n_effects && row != without) {
-            give(m, rl_effects[row]);
-            complete(m, rl_effects[row]);
-        }
+        if (row < rl_n_effects && row != without)
+            rl_feature_give(m, rl_effects[row]);
         fixture_object(scene, RL_SHAPE_SPHERE, 4, 0.4, v3((double)row - 0.5 * (double)rl_n_effects, 0.0, 0.0),
                        (int)row);
         scene->object[row].name = name;
@@ -129,15 +98,6 @@ static size_t count_modules(const struct rl_plan *plan)
     return n;
 }
 
-static bool has_module(const struct rl_plan *plan, const char *module)
-{
-    for (size_t i = 0; i < plan->n_programs; i++)
-        for (size_t k = 0; k < plan->program[i].n_modules; k++)
-            if (strcmp(plan->program[i].module[k], module) == 0)
-                return true;
-    return false;
-}
-
 /* The plan against what was counted. */
 static void check_plan(const struct done *done, const struct rl_scene *scene)
 {
@@ -152,79 +112,6 @@ static void check_plan(const struct done *done, const struct rl_scene *scene)
     assert_int_equal(done->frame.draws, draws);
     assert_int_equal(done->frame.textures + done->frame.programs + done->frame.modules, 0);
     assert_int_equal(done->frame.bytes_uploaded, 0);
-}
-
-/* Whether an effect other than `without` brings the module. */
-static bool others_need(const char *module, size_t without)
-{
-    for (size_t row = 0; row < rl_n_effects; row++) {
-        struct rl_plan_program program = {0};
-        struct rl_material material = {0};
-        if (row == without)
-            continue;
-        give(&material, rl_effects[row]);
-        complete(&material, rl_effects[row]);
-        rl_plan_add_effect(&program, rl_effects[row], rl_effect_given(&material, rl_effects[row]));
-        for (size_t k = 0; k < program.n_modules; k++)
-            if (strcmp(program.module[k], module) == 0)
-                return true;
-    }
-    return false;
-}
-
-/* Bytes of the buffers that hold lights, by who sees them: points, a source, a polygon of four. */
-static size_t light_bytes(unsigned sees)
-{
-    return (sees & RL_SEES_CENTROIDS ? 48 : 0) + (sees & RL_SEES_SOURCES ? 32 : 0) +
-           (sees & RL_SEES_POLYGONS ? 32 + 4 * 16 : 0);
-}
-
-static void test_each_effect_removed(void **state)
-{
-    (void)state;
-    struct rl_scene scene;
-    struct done full;
-    begin_scene(&scene, rl_n_effects);
-    render_anew(&full, &scene);
-    check_plan(&full, &scene);
-    fixture_end(&scene);
-    for (size_t row = 0; row < rl_n_effects; row++) {
-        struct done less;
-        begin_scene(&scene, row);
-        render_anew(&less, &scene);
-        check_plan(&less, &scene);
-        /* Its modules are gone, and so is nothing that another needs. */
-        struct rl_plan_program own = {0};
-        struct rl_material material = {0};
-        give(&material, rl_effects[row]);
-        complete(&material, rl_effects[row]);
-        rl_plan_add_effect(&own, rl_effects[row], rl_effect_given(&material, rl_effects[row]));
-        for (size_t k = 0; k < own.n_modules; k++) {
-            assert_true(has_module(&full.plan, own.module[k]));
-            assert_int_equal(has_module(&less.plan, own.module[k]), others_need(own.module[k], row));
-        }
-        for (size_t i = 0; i < full.plan.n_programs; i++)
-            for (size_t k = 0; k < full.plan.program[i].n_modules; k++) {
-                const char *module = full.plan.program[i].module[k];
-                bool mine = false;
-                for (size_t j = 0; j < own.n_modules; j++)
-                    mine = mine || strcmp(own.module[j], module) == 0;
-                bool lights =
-                    strcmp(module, "common/polygons") == 0; /* of all lights' only diffuse-area sees these */
-                if (!mine && !(lights && rl_effects[row]->sees & RL_SEES_POLYGONS))
-                    assert_true(has_module(&less.plan, module));
-            }
-        assert_false(has_module(&less.plan, own.module[own.n_modules - 1]));
-        /* Textures, draws and meshes stay; a ball without effects shares the program of the highlight's, which has none either. */
-        assert_int_equal(less.made.textures, full.made.textures);
-        assert_int_equal(less.frame.draws, full.frame.draws);
-        assert_int_equal(less.made.programs, full.made.programs - 1);
-        assert_int_equal(full.made.bytes_uploaded - less.made.bytes_uploaded,
-                         light_bytes(full.plan.sees) - light_bytes(less.plan.sees));
-        clear(&less);
-        fixture_end(&scene);
-    }
-    clear(&full);
 }
 
 /* The same scene once more is in use as before, but compiles no program, uploads no normal map and allocates no environment map. */
@@ -276,7 +163,6 @@ static void test_kept_among_others(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_effect_removed),
-                                       cmocka_unit_test(test_kept), cmocka_unit_test(test_kept_among_others)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kept), cmocka_unit_test(test_kept_among_others)};
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }

@@ -1,0 +1,185 @@
+/* What a plan is to make and to draw, item by item, with what the GL layer should count for each; and that it does. Of scenes whose shaped light is
+ * one of four corners, with a point and a parallel light. Include after gpu/fixture.h. */
+#ifndef RL_TESTS_GPU_INVENTORY_H
+#define RL_TESTS_GPU_INVENTORY_H
+
+#include "gpu/context.h"
+#include "studies/features.h"
+
+enum { ITEMS_MAX = 512, ITEM_NAME = 1024 };
+
+/* One thing, and what the GL layer counts for it: `made` when the scene is prepared, `frame` in every frame. */
+struct item {
+    char name[ITEM_NAME];
+    struct rl_gpu_counters made, frame;
+};
+
+struct inventory {
+    size_t n;
+    struct item item[ITEMS_MAX];
+};
+
+static inline struct item *inventory_add(struct inventory *list, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static inline struct item *inventory_add(struct inventory *list, const char *format, ...)
+{
+    assert_true(list->n < ITEMS_MAX);
+    struct item *item = &list->item[list->n++];
+    va_list values;
+    va_start(values, format);
+    *item = (struct item){.made = {0}};
+    assert_in_range(vsnprintf(item->name, sizeof item->name, format, values), 1, ITEM_NAME - 1);
+    va_end(values);
+    return item;
+}
+
+static inline bool inventory_has(const struct inventory *list, const char *name)
+{
+    for (size_t i = 0; i < list->n; i++)
+        if (strcmp(list->item[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+static inline void inventory_add_programs(struct inventory *list, const struct rl_plan *plan)
+{
+    for (size_t i = 0; i < plan->n_programs; i++) {
+        const struct rl_plan_program *p = &plan->program[i];
+        char modules[ITEM_NAME];
+        size_t used = 0;
+        for (size_t k = 0; k < p->n_modules; k++)
+            used += (size_t)snprintf(modules + used, sizeof modules - used, " %s", p->module[k]);
+        struct item *item = inventory_add(list, "program:%s", modules);
+        item->made.programs = 1;
+        item->made.modules = p->n_modules;
+    }
+}
+
+static inline void inventory_add_textures(struct inventory *list, const struct rl_plan *plan,
+                                          const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < plan->n_normal_maps; i++) {
+        struct item *item = inventory_add(list, "normal map: %s R_r %g", plan->normal_map[i].method->name,
+                                          plan->normal_map[i].rr);
+        item->made.textures = 1;
+        item->made.bytes_uploaded =
+            (size_t)plan->settings.normal_size * (size_t)plan->settings.normal_size * 4;
+    }
+    for (size_t i = 0; i < plan->n_patterns; i++)
+        inventory_add(list, "pattern: R_r %g, %d", plan->pattern[i].rr, plan->pattern[i].samples)
+            ->made.bytes_uploaded = 16 * (size_t)plan->pattern[i].samples;
+    for (size_t i = 0; i < scene->n_objects; i++)
+        if (plan->environment[i] >= 0) {
+            struct item *item = inventory_add(list, "environment map: object %zu", i);
+            item->made.textures = 1;
+            item->made.draws = 6;
+            item->made.triangles = 6 * 2; /* a light of four corners, on six faces */
+        }
+}
+
+/* Buffers of the lights: one of four corners, a point and a parallel one. */
+static inline void inventory_add_lights(struct inventory *list, const struct rl_plan *plan)
+{
+    bool points = false, spheres = false;
+    assert_true(plan->n_lights <= 1 && plan->n_sources == (plan->sees & RL_SEES_SOURCES ? 2 : 0));
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_plan_material *m = &plan->material[i];
+        points = points || m->sees & RL_SEES_CENTROIDS || (m->method && m->method->needs_point_lights);
+        spheres = spheres || m->sphere_program >= 0;
+    }
+    if (plan->n_environments > 0)
+        inventory_add(list, "lights: triangles")->made.bytes_uploaded = 6 * 24;
+    if (points)
+        inventory_add(list, "lights: points")->made.bytes_uploaded = 48;
+    if (spheres)
+        inventory_add(list, "lights: spheres")->made.bytes_uploaded = 16;
+    if (plan->sees & RL_SEES_SOURCES)
+        inventory_add(list, "lights: sources")->made.bytes_uploaded = 2 * 32;
+    if (plan->sees & RL_SEES_POLYGONS)
+        inventory_add(list, "lights: polygons")->made.bytes_uploaded = 32 + 4 * 16;
+}
+
+static inline void inventory_add_draw(struct inventory *list, const char *pass, size_t object,
+                                      const struct rl_mesh *mesh)
+{
+    struct item *item = inventory_add(list, "draw: %s of object %zu", pass, object);
+    item->frame.draws = 1;
+    item->frame.triangles = mesh->n_triangles;
+}
+
+static inline void inventory_add_objects(struct inventory *list, const struct rl_plan *plan,
+                                         const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        const struct rl_mesh *mesh = &scene->object[i].mesh;
+        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
+        inventory_add(list, "mesh: object %zu", i)->made.bytes_uploaded =
+            24 * mesh->n_vertices + 12 * mesh->n_triangles;
+        inventory_add_draw(list, "surface", i, mesh);
+        if (m->sphere_program >= 0)
+            inventory_add_draw(list, "sphere", i, mesh);
+        if (m->highlight_program >= 0)
+            inventory_add_draw(list, "highlight", i, mesh);
+    }
+}
+
+static inline void inventory_sum(struct rl_gpu_counters *to, const struct rl_gpu_counters *from)
+{
+    to->draws += from->draws;
+    to->triangles += from->triangles;
+    to->programs += from->programs;
+    to->modules += from->modules;
+    to->textures += from->textures;
+    to->bytes_uploaded += from->bytes_uploaded;
+}
+
+static inline void inventory_check_counters(const char *what, const struct rl_gpu_counters *found,
+                                            const struct rl_gpu_counters *expected)
+{
+    if (memcmp(found, expected, sizeof *found) == 0)
+        return;
+    print_error("%s: draws %zu, triangles %zu, programs %zu, modules %zu, textures %zu, bytes %zu\nexpected "
+                "%zu, %zu, "
+                "%zu, %zu, %zu, %zu\n",
+                what, found->draws, found->triangles, found->programs, found->modules, found->textures,
+                found->bytes_uploaded, expected->draws, expected->triangles, expected->programs,
+                expected->modules, expected->textures, expected->bytes_uploaded);
+    fail();
+}
+
+/* What the view's plan lists, which must be what is counted when it is carried out on a context that has kept nothing. */
+static inline struct inventory *inventory_take(const char *what, struct rl_gpu *gpu,
+                                               const struct rl_view *view)
+{
+    struct rl_error error;
+    struct rl_plan plan;
+    struct rl_gpu_scene *gs;
+    struct rl_gpu_counters made = {0}, frame = {0}, found;
+    double seconds;
+    struct inventory *list = malloc(sizeof *list);
+    assert_non_null(list);
+    list->n = 0;
+    check_ok(rl_plan_make(&plan, &view->scene, &view->settings, &error), &error);
+    inventory_add_programs(list, &plan);
+    inventory_add_textures(list, &plan, &view->scene);
+    inventory_add_lights(list, &plan);
+    inventory_add_objects(list, &plan, &view->scene);
+    for (size_t i = 0; i < list->n; i++) {
+        inventory_sum(&made, &list->item[i].made);
+        inventory_sum(&frame, &list->item[i].frame);
+    }
+    rl_kept_clear(&gpu->kept, &gpu->gl);
+    check_ok(rl_gpu_scene_make(&gs, gpu, &view->scene, &plan, &error), &error);
+    found = rl_gpu_scene_counters(gs);
+    inventory_check_counters(what, &found, &made);
+    rl_gpu_scene_reset_counters(gs);
+    check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
+    found = rl_gpu_scene_counters(gs);
+    inventory_check_counters(what, &found, &frame);
+    rl_gpu_scene_free(gs);
+    rl_plan_clear(&plan);
+    return list;
+}
+
+#endif
