@@ -1,9 +1,10 @@
 /* What a plan is to make and to draw, item by item, with what the GL layer should count for each; and that it does. Of scenes whose shaped light is
- * one of four corners, with a point and a parallel light. Include after gpu/fixture.h. */
+ * one of four corners, with a point and a parallel light. */
 #ifndef RL_TESTS_GPU_INVENTORY_H
 #define RL_TESTS_GPU_INVENTORY_H
 
 #include "gpu/context.h"
+#include "gpu/fixture.h"
 #include "studies/features.h"
 
 enum { ITEMS_MAX = 512, ITEM_NAME = 1024 };

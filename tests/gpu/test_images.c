@@ -1,7 +1,7 @@
 /* Whole pictures of the scenes that come with the program: GPU against the CPU renderer, for every effect of the table. Highlights of shaped
  * lights are drawn by `plain`: the other methods are estimates, and have other tests. */
+#include "gpu/against_cpu.h"
 #include "gpu/fixture.h"
-#include "reference/renderer.h"
 
 /* Between them every effect. */
 static const char *const scenes[] = {"lamps", "window", "metals", "fur", "glass"};
@@ -34,60 +34,13 @@ static void load(struct rl_scene *scene, const char *name)
     scene->height = HEIGHT;
 }
 
-static void render_cpu(struct rl_image *image, const struct rl_scene *scene)
-{
-    struct rl_error error;
-    struct rl_plan plan;
-    struct rl_render_stats stats;
-    check_ok(rl_plan_make(&plan, scene, &scene->settings, &error), &error);
-    check_ok(rl_reference_render(image, &stats, scene, &plan, 1, NULL, &error), &error);
-    rl_plan_clear(&plan);
-}
-
-/* At outlines the rasteriser decides to 1/256 of a pixel: another surface, or one a little off at a grazing angle. */
-static void compare(const char *name, const struct rl_image *a, const struct rl_image *b)
-{
-    enum { OUTLIERS = 40 };
-    size_t off = 0, foreground = 0;
-    double worst = 0.0, sum = 0.0, brightest = 0.0;
-    for (int y = 0; y < HEIGHT; y++)
-        for (int x = 0; x < WIDTH; x++) {
-            const float *p = rl_image_pixel((struct rl_image *)a, x, y);
-            const float *q = rl_image_pixel((struct rl_image *)b, x, y);
-            double here = 0.0, value = 0.0;
-            for (int c = 0; c < 4; c++) {
-                assert_true(isfinite(p[c]) && isfinite(q[c]));
-                here = fmax(here, fabs((double)p[c] - (double)q[c]));
-                value = fmax(value, fabs((double)q[c]));
-            }
-            foreground += q[3] > 0.0f;
-            brightest = fmax(brightest, value);
-            if (here > 2e-4 * (1.0 + value)) {
-                off++;
-                continue;
-            }
-            worst = fmax(worst, here);
-            sum += here * here;
-        }
-    print_message("%-8s values to %-6.3g worst %-8.2g rmse %-8.2g outliers %zu of %zu\n", name, brightest,
-                  worst, sqrt(sum / (double)foreground), off, foreground);
-    assert_true(10 * foreground > (size_t)WIDTH * HEIGHT);
-    assert_in_range(off, 0, OUTLIERS);
-    assert_true(sqrt(sum / (double)foreground) < 2e-5);
-}
-
 static void test_images(void **state)
 {
     (void)state;
     for (size_t i = 0; i < N_SCENES; i++) {
         struct rl_scene scene;
-        struct rl_image drawn, expected;
         load(&scene, scenes[i]);
-        fixture_render(&drawn, gpu, &scene, &scene.settings);
-        render_cpu(&expected, &scene);
-        compare(scenes[i], &drawn, &expected);
-        rl_image_clear(&drawn);
-        rl_image_clear(&expected);
+        check_against_cpu(scenes[i], gpu, &scene, 40);
         rl_scene_clear(&scene);
     }
 }
