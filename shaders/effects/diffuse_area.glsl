@@ -5,6 +5,8 @@
 //
 // params: k_d / pi.
 
+// Without a polygon there is no polygon_vertex().
+#if N_POLYGONS > 0
 vec3 area_diffuse_area(Surface s, int first_vertex, int n, vec4 params[1])
 {
     float sum = 0.0;
@@ -43,6 +45,7 @@ vec3 area_diffuse_area(Surface s, int first_vertex, int n, vec4 params[1])
     }
     return params[0].rgb * (0.5 * abs(sum));
 }
+#endif
 
 vec3 reflect_diffuse_area(Surface s, vec3 L, vec4 params[1])
 {

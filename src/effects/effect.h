@@ -9,7 +9,9 @@
  *     reflect    vec3 reflect_NAME(Surface s, vec3 L, vec4 params[K])                of light from direction L (unit), for an irradiance of
  *                                                                                    1 on a plane perpendicular to L
  *     area       vec3 area_NAME(Surface s, int first, int n, vec4 params[K])         of a polygon of radiance 1, given by its vertices
- *                                                                                    polygon_vertex(first + i), i < n
+ *                                                                                    polygon_vertex(first + i), i < n;
+ *                                                                                    inside of #if N_POLYGONS > 0: else
+ *                                                                                    there is no polygon_vertex
  *     factor     vec3 factor_NAME(Surface s, vec4 params[K])                         no radiance: what the highlight of shaped lights is
  *                                                                                    multiplied by; alone in its effect
  *

@@ -35,7 +35,9 @@ int rl_gpu_compute(struct rl_gpu *gpu, const struct rl_plan_program *program, co
     struct buffers b = {0};
     GLuint id = 0;
     char defines[128];
-    snprintf(defines, sizeof defines, "#define N_IN %zu\n#define N_OUT %zu\n", n_in, n_out);
+    /* An effect's polygon, where it has one, is that of common/one_polygon. */
+    snprintf(defines, sizeof defines, "#define N_IN %zu\n#define N_OUT %zu\n#define N_POLYGONS 1\n", n_in,
+             n_out);
     int status = rl_program_make_compute(&id, gl, program, defines, glue, error);
     if (status != RL_OK)
         return status;

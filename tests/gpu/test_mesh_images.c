@@ -120,6 +120,34 @@ static void test_effects(void **state)
         print_message("no %s here (Debian: assimp-testmodels)\n", DUCK);
 }
 
+/* Each kind of light alone: an effect brings what it needs for the lights that are there. */
+static void test_lights(void **state)
+{
+    (void)state;
+    struct rl_scene scene;
+    load(&scene, "teapot.obj");
+    assert_true(!scene.source[0].parallel && scene.source[1].parallel);
+    const struct rl_scene all = scene;
+    scene.width = 64;
+    scene.height = 48;
+    for (int kind = 0; kind < 4; kind++) {
+        scene.n_lights = kind == 0;
+        scene.n_sources = kind == 1 || kind == 2;
+        scene.source = all.source + (kind == 2);
+        for (size_t i = 0; i < n_features; i++) {
+            struct rl_material *m = &scene.material[0];
+            if (feature[i].kind != RL_FEATURE_EFFECT)
+                continue;
+            memset(m->effect, 0, sizeof m->effect);
+            rl_feature_give(m, feature[i].effect);
+            m->method = rl_feature_needs_highlight(&feature[i]) ? "plain" : NULL;
+            check_against_cpu(feature[i].name, gpu, &scene, OUTLIERS);
+        }
+    }
+    scene = all;
+    rl_scene_clear(&scene);
+}
+
 static double rms_difference(const struct rl_image *a, const struct rl_image *b)
 {
     double sum = 0.0;
@@ -175,6 +203,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_lights),
         cmocka_unit_test(test_methods),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
