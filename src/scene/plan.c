@@ -9,6 +9,24 @@
 
 #include "scene/plan_build.h"
 
+/* Whether the material's highlight, if it has one, is black: by its colour, or by a factor. */
+static bool is_matt(const struct rl_material *material)
+{
+    const double *k_s = material->specular;
+    bool matt = !(k_s[0] > 0.0 || k_s[1] > 0.0 || k_s[2] > 0.0);
+    return matt || rl_plan_zero_factor(material);
+}
+
+/* With `drop` off what does nothing is planned all the same, where it can be. */
+static bool plans_effect(const struct rl_plan *plan, const struct rl_plan_material *m,
+                         const struct rl_material *material, const struct rl_effect *effect, unsigned there)
+{
+    if ((effect->factor && !m->method) || (effect->sees && !(effect->sees & there)))
+        return false;
+    return plan->settings.drop ? rl_effect_wanted(material, effect)
+                               : rl_effect_given(material, effect) != NULL;
+}
+
 /* What the material itself says, with the settings' overrides. */
 static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan,
                           const struct rl_scene *scene, int index)
@@ -24,13 +42,11 @@ static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan
         .normal_map = -1,
         .pattern = -1,
     };
-    const double *k_s = material->specular;
-    bool shiny = k_s[0] > 0.0 || k_s[1] > 0.0 || k_s[2] > 0.0;
     bool highlit = false;
     for (size_t i = 0; i < scene->n_objects; i++)
         highlit = highlit ||
                   (scene->object[i].material == index && plan->object[i].drawn && plan->object[i].highlit);
-    if (plan->n_lights > 0 && highlit && shiny && material->method)
+    if (plan->n_lights > 0 && highlit && material->method && !(settings->drop && is_matt(material)))
         m->method = rl_method_find(settings->method ? settings->method : material->method);
     if (m->method)
         m->samples =
@@ -39,8 +55,7 @@ static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan
                      (plan->n_sources > 0 ? RL_SEES_SOURCES : 0);
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *effect = rl_effects[i];
-        if (!rl_effect_wanted(material, effect) || (effect->sees && !(effect->sees & there)) ||
-            (effect->factor && !m->method))
+        if (!plans_effect(plan, m, material, effect, there))
             continue;
         m->effect[m->n_effects++] = effect;
         m->sees |= effect->sees & there;
@@ -59,7 +74,7 @@ static void plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
     plan->n_materials = 0;
     plan->sees = 0;
     for (size_t i = 0; i < scene->n_materials; i++) {
-        bool worn = false;
+        bool worn = !plan->settings.drop;
         for (size_t j = 0; j < scene->n_objects; j++)
             worn = worn || (plan->object[j].drawn && scene->object[j].material == (int)i);
         if (!worn)

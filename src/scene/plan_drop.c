@@ -10,6 +10,15 @@
 /* Room for rounding, in units of the lengths compared. */
 #define SLACK 1e-5
 
+const struct rl_effect *rl_plan_zero_factor(const struct rl_material *material)
+{
+    for (size_t row = 0; row < rl_n_effects; row++)
+        if (rl_effects[row]->factor && rl_effect_given(material, rl_effects[row]) &&
+            !rl_effect_wanted(material, rl_effects[row]))
+            return rl_effects[row];
+    return NULL;
+}
+
 /* ---- Objects ---- */
 
 /* Whether the object's sphere lies behind the camera or outside one of the four sides of what it sees. */
@@ -73,6 +82,22 @@ static bool behind(const struct body *body, const struct rl_object *object, bool
     return true;
 }
 
+static bool dark(const double strength[3])
+{
+    return !(strength[0] > 0.0) && !(strength[1] > 0.0) && !(strength[2] > 0.0);
+}
+
+/* Whether a light can hide another: in the environment map of an object that has a highlight. */
+static bool lights_hide(const struct rl_plan *plan, const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
+        if (plan->object[i].drawn && plan->object[i].highlit && m->method && m->method->needs_environment)
+            return true;
+    }
+    return false;
+}
+
 /* Whether anything of the material sees such lights at all. */
 static bool uses(const struct rl_plan_material *m, unsigned sees)
 {
@@ -109,23 +134,36 @@ static bool unseen_by_all(const struct rl_plan *plan, const struct rl_scene *sce
     return true;
 }
 
-static bool dark(const double strength[3])
-{
-    return !(strength[0] > 0.0) && !(strength[1] > 0.0) && !(strength[2] > 0.0);
-}
-
 static struct body body_of_light(const struct rl_light *light)
 {
     return (struct body){.at = light->centre, .radius = light->radius};
 }
 
+/* Which objects some shaped light that shines is in front of. */
+static void find_highlit(struct rl_plan *plan, const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < scene->n_objects; i++) {
+        bool lit = false;
+        for (size_t k = 0; k < plan->n_lights && plan->object[i].drawn && !lit; k++) {
+            const struct rl_light *light = &scene->light[plan->light[k]];
+            struct body body = body_of_light(light);
+            lit = !dark(light->radiance) &&
+                  !unseen(plan, scene, i, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS);
+        }
+        plan->object[i].highlit = lit;
+    }
+}
+
 void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
 {
+    find_highlit(plan, scene);
+    bool hide = lights_hide(plan, scene);
     size_t n = 0;
     for (size_t i = 0; i < plan->n_lights; i++) {
-        struct body body = body_of_light(&scene->light[plan->light[i]]);
-        /* A dark one may still hide another. */
-        if (!unseen_by_all(plan, scene, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS))
+        const struct rl_light *light = &scene->light[plan->light[i]];
+        struct body body = body_of_light(light);
+        bool nothing = dark(light->radiance) && !hide;
+        if (!nothing && !unseen_by_all(plan, scene, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS))
             plan->light[n++] = plan->light[i];
     }
     plan->n_lights = n;
@@ -139,14 +177,6 @@ void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
         plan->n_points += !source->parallel;
     }
     plan->n_sources = n;
-    for (size_t i = 0; i < scene->n_objects; i++) {
-        bool lit = false;
-        for (size_t k = 0; k < plan->n_lights && plan->object[i].drawn && !lit; k++) {
-            struct body body = body_of_light(&scene->light[plan->light[k]]);
-            lit = !unseen(plan, scene, i, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS);
-        }
-        plan->object[i].highlit = lit;
-    }
 }
 
 /* ---- Reasons ---- */
@@ -209,7 +239,7 @@ static const char *why_light(const struct rl_plan *plan, const struct rl_scene *
 {
     for (size_t i = 0; i < plan->n_materials; i++) {
         const struct rl_material *m = &scene->material[plan->material[i].material];
-        if (sees & RL_SEES_CENTROIDS && m->method && !dark(m->specular))
+        if (sees & RL_SEES_CENTROIDS && m->method && !dark(m->specular) && !rl_plan_zero_factor(m))
             return "behind every surface that has a use for it";
         for (size_t row = 0; row < rl_n_effects; row++)
             if (rl_effects[row]->sees & sees && rl_effect_wanted(m, rl_effects[row]))
@@ -221,16 +251,26 @@ static const char *why_light(const struct rl_plan *plan, const struct rl_scene *
 static int list_lights(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
 {
     int status = RL_OK;
+    /* A dark one may hide another, and is dropped where it does not. */
     const char *shaped = why_light(plan, scene, RL_SEES_CENTROIDS | RL_SEES_POLYGONS);
     const char *source = why_light(plan, scene, RL_SEES_SOURCES);
     for (size_t i = 0; i < scene->n_lights && status == RL_OK; i++)
         if (!kept(plan->light, plan->n_lights, i))
-            status = add(plan, error, "light", scene->light[i].name, "%s", shaped);
+            status = add(plan, error, "light", scene->light[i].name, "%s",
+                         dark(scene->light[i].radiance) ? "its radiance is 0" : shaped);
     for (size_t i = 0; i < scene->n_sources && status == RL_OK; i++)
         if (!kept(plan->source, plan->n_sources, i))
             status = add(plan, error, "light", scene->source[i].name, "%s",
                          dark(scene->source[i].strength) ? "its strength is 0" : source);
     return status;
+}
+
+static bool all_dark(const struct rl_scene *scene)
+{
+    for (size_t i = 0; i < scene->n_lights; i++)
+        if (!dark(scene->light[i].radiance))
+            return false;
+    return true;
 }
 
 static int list_effects(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_plan_material *m,
@@ -249,11 +289,36 @@ static int list_effects(struct rl_plan *plan, const struct rl_scene *scene, cons
                      : rl_effects[row]->factor                    ? "no highlight to be a factor of"
                                                                   : "no light for it");
     }
-    if (status == RL_OK && material->method && !m->method)
-        status = add(plan, error, "highlight", material->method, "material %s: %s", material->name,
-                     dark(material->specular) ? "specular is 0"
-                     : scene->n_lights        ? "every shaped light is behind what wears it"
-                                              : "no shaped light");
+    if (status != RL_OK || !material->method || m->method)
+        return status;
+    const struct rl_effect *zero = rl_plan_zero_factor(material);
+    char reason[80];
+    snprintf(reason, sizeof reason, "its factor %.60s is 0", zero ? zero->name : "");
+    return add(plan, error, "highlight", material->method, "material %s: %s", material->name,
+               dark(material->specular) ? "specular is 0"
+               : zero                   ? reason
+               : !scene->n_lights       ? "no shaped light"
+               : all_dark(scene)        ? "the radiance of every shaped light is 0"
+                                        : "every shaped light is behind what wears it");
+}
+
+/* Settings that were asked for and find no highlight to act on. */
+static int list_settings(struct rl_plan *plan, struct rl_error *error)
+{
+    const struct rl_settings *s = &plan->settings;
+    bool own_pass = false, sphere = false, highlight = false;
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        own_pass = own_pass || plan->material[i].highlight_program >= 0;
+        sphere = sphere || plan->material[i].sphere_program >= 0;
+        highlight = highlight || plan->material[i].method;
+    }
+    int status = RL_OK;
+    if (s->margin_kind != RL_MARGIN_OFF && !sphere)
+        status = add(plan, error, "effect", "sphere", "%s",
+                     own_pass ? "no sphere is large enough for so rough a surface"
+                              : "no highlight that has a pass of its own");
+    if (status == RL_OK && s->shadows && !highlight)
+        status = add(plan, error, "effect", "shadows", "no highlight");
     return status;
 }
 
@@ -264,5 +329,5 @@ int rl_plan_list_drops(struct rl_plan *plan, const struct rl_scene *scene, struc
         status = list_lights(plan, scene, error);
     for (size_t i = 0; i < plan->n_materials && status == RL_OK; i++)
         status = list_effects(plan, scene, &plan->material[i], error);
-    return status;
+    return status == RL_OK ? list_settings(plan, error) : status;
 }

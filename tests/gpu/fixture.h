@@ -185,4 +185,19 @@ static inline void fixture_render(struct rl_image *image, struct rl_gpu *gpu, co
     rl_plan_clear(&plan);
 }
 
+/* What the plan drops changes no bit. */
+static inline void fixture_check_drop(struct rl_gpu *gpu, const struct rl_scene *scene,
+                                      struct rl_settings settings)
+{
+    struct rl_image with, without;
+    settings.drop = true;
+    fixture_render(&with, gpu, scene, &settings);
+    settings.drop = false;
+    fixture_render(&without, gpu, scene, &settings);
+    assert_memory_equal(with.data, without.data,
+                        (size_t)with.width * (size_t)with.height * 4 * sizeof *with.data);
+    rl_image_clear(&with);
+    rl_image_clear(&without);
+}
+
 #endif

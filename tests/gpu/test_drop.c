@@ -60,19 +60,6 @@ static void begin_scene(struct rl_scene *scene, const char *method, bool ball)
         scene->source[i].name = sources[i];
 }
 
-static void check_same(const struct rl_scene *scene, struct rl_settings settings)
-{
-    struct rl_image with, without;
-    settings.drop = true;
-    fixture_render(&with, gpu, scene, &settings);
-    settings.drop = false;
-    fixture_render(&without, gpu, scene, &settings);
-    assert_memory_equal(with.data, without.data,
-                        (size_t)with.width * (size_t)with.height * 4 * sizeof *with.data);
-    rl_image_clear(&with);
-    rl_image_clear(&without);
-}
-
 static bool dropped(const struct rl_plan *plan, const char *kind, const char *name, const char *reason)
 {
     for (size_t i = 0; i < plan->n_drops; i++)
@@ -99,7 +86,7 @@ static void test_same_bits(void **state)
                     memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
                     give(&scene.material[0], "kajiya", 0.4, 0.2);
                 }
-                check_same(&scene, settings);
+                fixture_check_drop(gpu, &scene, settings);
                 fixture_end(&scene);
             }
 }
@@ -109,7 +96,8 @@ static void test_scenes(void **state)
 {
     (void)state;
     static const char *const names[] = {"teapot-star", "sphere-quad", "two-roughness", "three-lights",
-                                        "lamps",       "window",      "metals",        "fur"};
+                                        "lamps",       "window",      "metals",        "fur",
+                                        "glass",       "everything"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         struct rl_scene scene;
         struct rl_error error;
@@ -118,7 +106,7 @@ static void test_scenes(void **state)
         check_ok(rl_scene_load(&scene, path, &error), &error);
         scene.width = 96;
         scene.height = 72;
-        check_same(&scene, scene.settings);
+        fixture_check_drop(gpu, &scene, scene.settings);
         rl_scene_clear(&scene);
     }
 }
@@ -155,7 +143,7 @@ static void test_reasons(void **state)
     check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
     assert_int_equal(plan.n_lights, 2);
     assert_int_equal(plan.n_sources, 5);
-    assert_int_equal(plan.n_materials, 2);
+    assert_int_equal(plan.n_materials, 3);
     assert_int_equal(plan.n_environments, 2);
     rl_plan_clear(&plan);
 
@@ -202,17 +190,102 @@ static void test_dark_floor(void **state)
     assert_true(dropped(&plan, "highlight", "random", "material floor: every shaped light is behind"));
     assert_true(dropped(&plan, "light", "bulb", "no effect or highlight sees such lights"));
     rl_plan_clear(&plan);
-    check_same(&scene, settings);
+    fixture_check_drop(gpu, &scene, settings);
     fixture_end(&scene);
+}
+
+/* Black by its factor, a highlight is as one without colour. */
+static void test_zero_factor(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    struct rl_plan plan;
+    struct rl_scene scene;
+    struct rl_settings settings = RL_SETTINGS_DEFAULT;
+    settings.env_size = 32;
+    begin_scene(&scene, "random", true);
+    double *value = rl_effect_give(&scene.material[1], rl_effect_find("fresnel"));
+    value[0] = value[1] = value[2] = 0.0;
+    check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+    assert_true(dropped(&plan, "highlight", "random", "material paint: its factor fresnel is 0"));
+    assert_true(dropped(&plan, "effect", "fresnel", "its coefficients are 0"));
+    assert_null(rl_plan_of_object(&plan, &scene, 2)->method);
+    assert_non_null(rl_plan_of_object(&plan, &scene, 0)->method);
+    rl_plan_clear(&plan);
+    fixture_check_drop(gpu, &scene, settings);
+    fixture_end(&scene);
+}
+
+/* A dark light is dropped but where it may hide another in an environment map. */
+static void test_dark_light(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *method;
+        size_t lights;
+    } rows[] = {{NULL, 1}, {"plain", 1}, {"random", 2}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_error error;
+        struct rl_scene scene;
+        struct rl_plan plan;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        settings.env_size = 32;
+        begin_scene(&scene, rows[i].method, true);
+        memset(scene.light[1].radiance, 0, sizeof scene.light[1].radiance);
+        check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+        assert_int_equal(plan.n_lights, rows[i].lights);
+        assert_int_equal(dropped(&plan, "light", "low", "its radiance is 0"), rows[i].lights == 1);
+        rl_plan_clear(&plan);
+        memset(scene.light[0].radiance, 0, sizeof scene.light[0].radiance);
+        check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+        assert_int_equal(plan.n_lights + plan.n_environments, 0);
+        assert_true(!rows[i].method || dropped(&plan, "highlight", rows[i].method,
+                                               "material floor: the radiance of every shaped light is 0"));
+        rl_plan_clear(&plan);
+        fixture_check_drop(gpu, &scene, settings);
+        fixture_end(&scene);
+    }
+}
+
+/* What was asked for by settings, and finds nothing to act on. */
+static void test_settings(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *method;
+        double rr;
+        enum rl_margin margin;
+        const char *reason; /* NULL: it acts */
+    } rows[] = {
+        {NULL, 10.0, RL_MARGIN_VALUE, "no highlight that has a pass of its own"},
+        {"plain", 10.0, RL_MARGIN_VALUE, "no highlight that has a pass of its own"},
+        {"random", 1.0, RL_MARGIN_AUTO, "no sphere is large enough for so rough a surface"},
+        {"random", 10.0, RL_MARGIN_VALUE, NULL},
+        {"random", 10.0, RL_MARGIN_OFF, NULL},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_error error;
+        struct rl_scene scene;
+        struct rl_plan plan;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        begin_scene(&scene, rows[i].method, true);
+        settings.margin_kind = rows[i].margin;
+        settings.rr = rows[i].rr;
+        check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+        assert_int_equal(dropped(&plan, "effect", "sphere", rows[i].reason ? rows[i].reason : ""),
+                         rows[i].reason != NULL);
+        rl_plan_clear(&plan);
+        fixture_end(&scene);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_reasons),
-        cmocka_unit_test(test_dark_floor),
+        cmocka_unit_test(test_same_bits),   cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_reasons),     cmocka_unit_test(test_dark_floor),
+        cmocka_unit_test(test_zero_factor), cmocka_unit_test(test_dark_light),
+        cmocka_unit_test(test_settings),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }
