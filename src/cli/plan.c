@@ -42,8 +42,8 @@ static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, con
     rl_normal_bits_name(bits, s->normal_bits);
     for (size_t i = 0; i < plan->n_normal_maps; i++) {
         snprintf(name, sizeof name, "normal map %zu", i);
-        snprintf(detail, sizeof detail, "%dx%d, %s bits a component, R_r %g, seed %llu", s->normal_size,
-                 s->normal_size, bits, plan->normal_map[i].rr, (unsigned long long)s->seed);
+        snprintf(detail, sizeof detail, "%dx%d, %s bits a component, R_r %g, seed %llu; baked on the CPU",
+                 s->normal_size, s->normal_size, bits, plan->normal_map[i].rr, (unsigned long long)s->seed);
         row(rows, "texture", name, detail);
     }
     for (size_t i = 0; i < scene->n_objects; i++) {
@@ -59,6 +59,28 @@ static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, con
         snprintf(name, sizeof name, "pattern %zu", i);
         snprintf(detail, sizeof detail, "%d normals, R_r %g", plan->pattern[i].samples, plan->pattern[i].rr);
         row(rows, "buffer", name, detail);
+    }
+}
+
+/* Meshes, and the lights for those who read them. */
+static void buffer_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    char name[128];
+    char detail[128];
+    for (size_t i = 0; i < scene->n_objects && !plan->on_cpu; i++) {
+        const struct rl_mesh *mesh = &scene->object[i].mesh;
+        if (!plan->object[i].drawn)
+            continue;
+        snprintf(name, sizeof name, "mesh of %s", scene->object[i].name);
+        snprintf(detail, sizeof detail, "%zu vertices, %zu triangles", mesh->n_vertices, mesh->n_triangles);
+        row(rows, "buffer", name, detail);
+    }
+    for (int i = 0; i < RL_BUFFERS; i++) {
+        if (!rl_plan_needs(plan, (enum rl_plan_buffer)i))
+            continue;
+        size_t n = i == RL_BUFFER_SOURCES ? plan->n_sources : plan->n_lights;
+        snprintf(detail, sizeof detail, "of %zu light%s", n, n == 1 ? "" : "s");
+        row(rows, "buffer", rl_plan_buffer_name((enum rl_plan_buffer)i), detail);
     }
 }
 
@@ -120,6 +142,7 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
             "of every highlight: lights hidden by other objects; lines are cut at silhouettes, Embree's rays "
             "decide");
     texture_rows(&rows, scene, &plan);
+    buffer_rows(&rows, scene, &plan);
     if (plan.on_cpu)
         row(&rows, "pass", "cpu",
             "Embree finds each pixel's point; effects and highlight are evaluated in double precision");

@@ -41,11 +41,6 @@ struct light_vertex {
     float position[3], radiance[3];
 };
 
-static bool needs_triangles(const struct rl_plan *plan)
-{
-    return plan->n_environments > 0;
-}
-
 /* The i-th light of the plan. */
 static const struct rl_light *light_of(const struct rl_gpu_scene *gs, size_t i)
 {
@@ -102,14 +97,6 @@ struct polygon_block {
     GLint range[4];
 };
 
-static bool needs_points(const struct rl_plan *plan)
-{
-    bool needed = false;
-    for (size_t i = 0; i < plan->n_materials; i++)
-        needed = needed || plan->material[i].n_point_lights > 0;
-    return needed;
-}
-
 static int fill_points(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     size_t n = gs->plan->n_lights;
@@ -124,14 +111,6 @@ static int fill_points(struct rl_gpu_scene *gs, struct rl_error *error)
     return upload(gs, GL_UNIFORM_BUFFER, &gs->lights.points, point, n * sizeof *point, error);
 }
 
-static bool needs_spheres(const struct rl_plan *plan)
-{
-    bool needed = false;
-    for (size_t i = 0; i < plan->n_materials; i++)
-        needed = needed || plan->material[i].sphere_program >= 0;
-    return needed;
-}
-
 static int fill_spheres(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     size_t n = gs->plan->n_lights;
@@ -141,11 +120,6 @@ static int fill_spheres(struct rl_gpu_scene *gs, struct rl_error *error)
         sphere[i][3] = (float)light_of(gs, i)->radius;
     }
     return upload(gs, GL_UNIFORM_BUFFER, &gs->lights.spheres, sphere, n * sizeof *sphere, error);
-}
-
-static bool needs_sources(const struct rl_plan *plan)
-{
-    return plan->sees & RL_SEES_SOURCES;
 }
 
 static int fill_sources(struct rl_gpu_scene *gs, struct rl_error *error)
@@ -158,11 +132,6 @@ static int fill_sources(struct rl_gpu_scene *gs, struct rl_error *error)
         store_rgb(block[i].strength, source->strength);
     }
     return upload(gs, GL_UNIFORM_BUFFER, &gs->lights.sources, block, n * sizeof *block, error);
-}
-
-static bool needs_polygons(const struct rl_plan *plan)
-{
-    return plan->sees & RL_SEES_POLYGONS;
 }
 
 static int fill_polygons(struct rl_gpu_scene *gs, struct rl_error *error)
@@ -198,20 +167,18 @@ static int fill_polygons(struct rl_gpu_scene *gs, struct rl_error *error)
 
 /* ---- The whole ---- */
 
-static const struct {
-    bool (*needed)(const struct rl_plan *plan);
-    int (*fill)(struct rl_gpu_scene *gs, struct rl_error *error);
-} buffers[] = {
-    {needs_triangles, fill_triangles}, {needs_points, fill_points},     {needs_spheres, fill_spheres},
-    {needs_sources, fill_sources},     {needs_polygons, fill_polygons},
+static int (*const fill[RL_BUFFERS])(struct rl_gpu_scene *gs, struct rl_error *error) = {
+    [RL_BUFFER_TRIANGLES] = fill_triangles, [RL_BUFFER_POINTS] = fill_points,
+    [RL_BUFFER_SPHERES] = fill_spheres,     [RL_BUFFER_SOURCES] = fill_sources,
+    [RL_BUFFER_POLYGONS] = fill_polygons,
 };
 
 int rl_lights_fill(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     int status = RL_OK;
-    for (size_t i = 0; i < sizeof buffers / sizeof buffers[0] && status == RL_OK; i++)
-        if (buffers[i].needed(gs->plan))
-            status = buffers[i].fill(gs, error);
+    for (int i = 0; i < RL_BUFFERS && status == RL_OK; i++)
+        if (rl_plan_needs(gs->plan, (enum rl_plan_buffer)i))
+            status = fill[i](gs, error);
     return status;
 }
 
@@ -229,13 +196,13 @@ int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error)
     GLint largest = 0;
     gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &largest);
     int status = RL_OK;
-    if (needs_points(gs->plan) || needs_spheres(gs->plan))
+    if (rl_plan_needs(gs->plan, RL_BUFFER_POINTS) || rl_plan_needs(gs->plan, RL_BUFFER_SPHERES))
         status = check_number(gs->plan->n_lights, largest, sizeof(struct point_block),
                               "lights (a mesh is one light)", error);
-    if (status == RL_OK && needs_sources(gs->plan))
+    if (status == RL_OK && rl_plan_needs(gs->plan, RL_BUFFER_SOURCES))
         status = check_number(gs->plan->n_sources, largest, sizeof(struct source_block),
                               "point and parallel lights", error);
-    if (status != RL_OK || !needs_triangles(gs->plan))
+    if (status != RL_OK || !rl_plan_needs(gs->plan, RL_BUFFER_TRIANGLES))
         return status;
     gl->GenVertexArrays(1, &gs->lights.vertex_array);
     gl->GenBuffers(1, &gs->lights.vertex_buffer);

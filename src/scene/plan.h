@@ -101,6 +101,20 @@ void rl_plan_clear(struct rl_plan *plan);
 void rl_plan_add_module(struct rl_plan_program *program, const char *module);
 void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value);
 
+/* Buffers that hold lights: triangles for environment maps; shaped lights as points; their bounding spheres; point and parallel lights; shaped
+ * lights as polygons. */
+enum rl_plan_buffer {
+    RL_BUFFER_TRIANGLES,
+    RL_BUFFER_POINTS,
+    RL_BUFFER_SPHERES,
+    RL_BUFFER_SOURCES,
+    RL_BUFFER_POLYGONS,
+    RL_BUFFERS
+};
+/* Whether anything reads it; no other is uploaded. */
+bool rl_plan_needs(const struct rl_plan *plan, enum rl_plan_buffer buffer);
+const char *rl_plan_buffer_name(enum rl_plan_buffer buffer);
+
 /* The plan's shaped lights as effects see them (no sources); clear with rl_scene_lights_clear. And how many polygons they have. */
 int rl_plan_lights_make(struct rl_lights *lights, const struct rl_plan *plan, const struct rl_scene *scene,
                         struct rl_error *error);

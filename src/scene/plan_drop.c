@@ -227,7 +227,7 @@ static int list_objects(struct rl_plan *plan, const struct rl_scene *scene, stru
             worn += scene->object[k].material == (int)i;
             drawn += scene->object[k].material == (int)i && plan->object[k].drawn;
         }
-        if (drawn == 0)
+        if (drawn == 0 && plan->settings.drop)
             status = add(plan, error, "material", scene->material[i].name, "%s",
                          worn ? "every object that wears it is outside the view" : "no object wears it");
     }
