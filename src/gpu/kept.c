@@ -74,6 +74,14 @@ int rl_kept_add(struct rl_kept *kept, const struct rl_gl *gl, enum rl_kept_kind 
     return RL_OK;
 }
 
+size_t rl_kept_bytes(const struct rl_kept *kept, enum rl_kept_kind kind, GLuint id)
+{
+    for (size_t i = 0; i < kept->n; i++)
+        if (kept->object[i].kind == kind && kept->object[i].id == id)
+            return kept->object[i].bytes;
+    return 0;
+}
+
 void rl_kept_release(struct rl_kept *kept, const struct rl_gl *gl, enum rl_kept_kind kind, GLuint id)
 {
     for (size_t i = 0; i < kept->n; i++)

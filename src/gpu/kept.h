@@ -42,6 +42,9 @@ GLuint rl_kept_take(struct rl_kept *kept, enum rl_kept_kind kind, uint64_t key);
 int rl_kept_add(struct rl_kept *kept, const struct rl_gl *gl, enum rl_kept_kind kind, uint64_t key, GLuint id,
                 size_t bytes, struct rl_error *error);
 
+/* As it was added; 0 if there is none. */
+size_t rl_kept_bytes(const struct rl_kept *kept, enum rl_kept_kind kind, GLuint id);
+
 /* 0, or what was never added: nothing to do. */
 void rl_kept_release(struct rl_kept *kept, const struct rl_gl *gl, enum rl_kept_kind kind, GLuint id);
 

@@ -68,6 +68,7 @@ static int make_normal_map(GLuint *texture, struct rl_gpu_scene *gs, const struc
     *texture = rl_kept_take(&gpu->kept, RL_KEPT_TEXTURE, key);
     if (*texture) {
         gs->counters.textures_kept++;
+        gs->counters.bytes_kept += rl_kept_bytes(&gpu->kept, RL_KEPT_TEXTURE, *texture);
         return RL_OK;
     }
     size_t bytes = 0;

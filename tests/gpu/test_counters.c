@@ -129,6 +129,8 @@ static void test_kept(void **state)
     assert_int_equal(again.made.textures_kept, again.plan.n_normal_maps + again.plan.n_environments);
     assert_int_equal(first.made.bytes_uploaded - again.made.bytes_uploaded,
                      again.plan.n_normal_maps * map_bytes);
+    assert_int_equal(first.made.bytes_kept, 0);
+    assert_int_equal(again.made.bytes_uploaded + again.made.bytes_kept, first.made.bytes_uploaded);
     assert_memory_equal(first.image.data, again.image.data, IMAGE_BYTES);
     clear(&again);
     fixture_end(&scene);
