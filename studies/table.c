@@ -13,6 +13,7 @@ extern const struct rl_study rl_study_frame;
 extern const struct rl_study rl_study_margin;
 extern const struct rl_study rl_study_environment;
 extern const struct rl_study rl_study_budget;
+extern const struct rl_study rl_study_effects;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_bare;
 extern const struct rl_study rl_study_accuracy;
@@ -28,6 +29,7 @@ const struct rl_study *const rl_studies[] = {
     &rl_study_margin,
     &rl_study_environment,
     &rl_study_budget,
+    &rl_study_effects,
     &rl_study_fps,
     &rl_study_bare,
     &rl_study_accuracy,
