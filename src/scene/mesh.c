@@ -57,3 +57,15 @@ void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_
     }
     *radius = sqrt(square);
 }
+
+size_t rl_mesh_back_faces(const struct rl_mesh *mesh, rl_vec3 eye)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < mesh->n_triangles; i++) {
+        rl_vec3 first = vertex(mesh, mesh->triangle[i][0]);
+        rl_vec3 a = v3_sub(vertex(mesh, mesh->triangle[i][1]), first);
+        rl_vec3 b = v3_sub(vertex(mesh, mesh->triangle[i][2]), first);
+        n += !(v3_dot(v3_cross(a, b), v3_sub(eye, first)) > 0.0);
+    }
+    return n;
+}

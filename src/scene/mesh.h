@@ -3,6 +3,7 @@
 #ifndef RL_SCENE_MESH_H
 #define RL_SCENE_MESH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -24,6 +25,13 @@ int rl_mesh_allocate(struct rl_mesh *mesh, size_t n_vertices, size_t n_triangles
 
 /* Box of all positions; the centre is the box's, the radius reaches the farthest vertex from it. */
 void rl_mesh_bounds(const struct rl_mesh *mesh, rl_vec3 *low, rl_vec3 *high, rl_vec3 *centre, double *radius);
+
+/* How many triangles turn their back or their edge to the eye. */
+size_t rl_mesh_back_faces(const struct rl_mesh *mesh, rl_vec3 eye);
+
+/* Whether the mesh has no edge that a surface ends at: every edge of a triangle is another one's, run through the other way, vertices at
+ * one position being one. Triangles without area do not count. (mesh_closed.c) */
+int rl_mesh_closed(bool *closed, const struct rl_mesh *mesh, struct rl_error *error);
 
 /* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms
  * applied. Normals missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no

@@ -160,13 +160,85 @@ static void test_refused(void **state)
     assert_string_equal(rl_shape_name(RL_SHAPE_TEAPOT), "teapot");
 }
 
+/* A mesh of n triangles among the corners of a tetrahedron, each with vertices of its own. */
+static void make_loose(struct rl_mesh *mesh, const uint32_t (*triangle)[3], size_t n)
+{
+    static const float corner[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    check_ok(rl_mesh_allocate(mesh, 3 * n, n, &error), &error);
+    for (size_t i = 0; i < 3 * n; i++) {
+        for (int c = 0; c < 3; c++)
+            mesh->position[i][c] = corner[triangle[i / 3][i % 3]][c];
+        /* The two zeros are one place. */
+        mesh->position[i][0] = mesh->position[i][0] == 0.0f && i % 2 ? -0.0f : mesh->position[i][0];
+        mesh->triangle[i / 3][i % 3] = (uint32_t)i;
+    }
+}
+
+static void test_closed(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rl_shape shape;
+        bool closed;
+    } shape[] = {{RL_SHAPE_SPHERE, true},
+                 {RL_SHAPE_TORUS, true},
+                 {RL_SHAPE_PLANE, false},
+                 {RL_SHAPE_DISC, false},
+                 {RL_SHAPE_TEAPOT, false}};
+    struct rl_mesh mesh;
+    bool closed;
+    for (size_t i = 0; i < sizeof shape / sizeof shape[0]; i++)
+        for (int tessellation = 1; tessellation <= 13; tessellation += 4) {
+            check_ok(rl_shape_build(&mesh, shape[i].shape, tessellation, 0.3, &error), &error);
+            check_ok(rl_mesh_closed(&closed, &mesh, &error), &error);
+            assert_int_equal(closed, shape[i].closed);
+            rl_mesh_clear(&mesh);
+        }
+    static const struct {
+        uint32_t triangle[6][3];
+        size_t n;
+        bool closed;
+    } loose[] = {
+        {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, 4, true},
+        {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}, 3, false},                       /* a hole */
+        {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}, 4, false},            /* one the wrong way round */
+        {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {1, 1, 2}}, 5, true},  /* one without area */
+        {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {1, 2, 3}}, 5, false}, /* one twice */
+        {{{1, 1, 2}}, 1, false},                                             /* nothing */
+    };
+    for (size_t i = 0; i < sizeof loose / sizeof loose[0]; i++) {
+        make_loose(&mesh, loose[i].triangle, loose[i].n);
+        check_ok(rl_mesh_closed(&closed, &mesh, &error), &error);
+        assert_int_equal(closed, loose[i].closed);
+        rl_mesh_clear(&mesh);
+    }
+}
+
+/* A tetrahedron from beyond one of its faces, from its corner's side, and from inside; an edge-on face counts as turned away. */
+static void test_back_faces(void **state)
+{
+    (void)state;
+    static const uint32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    static const struct {
+        rl_vec3 eye;
+        size_t back;
+    } row[] = {{{5.0, 5.0, 5.0}, 3},
+               {{-5.0, -5.0, -5.0}, 1},
+               {{0.1, 0.1, 0.1}, 4},
+               {{0.1, 0.1, -5.0}, 3},
+               {{0.0, 0.1, -5.0}, 3}};
+    struct rl_mesh mesh;
+    make_loose(&mesh, faces, 4);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++)
+        assert_int_equal(rl_mesh_back_faces(&mesh, row[i].eye), row[i].back);
+    rl_mesh_clear(&mesh);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_sizes),   cmocka_unit_test(test_normals), cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_closed),  cmocka_unit_test(test_back_faces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
