@@ -66,6 +66,17 @@ static int take_integer(int *value, const char *parameters, const char *key, str
     return RL_OK;
 }
 
+static int take_switch(bool *on, const char *parameters, const char *key, struct rl_error *error)
+{
+    char text[RL_NAME_MAX];
+    if (!rl_parameter(parameters, key, text, sizeof text))
+        return RL_OK;
+    *on = strcmp(text, "on") == 0;
+    if (!*on && strcmp(text, "off") != 0)
+        return rl_fail(error, RL_ERR_INPUT, "%s=%s: expected on or off", key, text);
+    return RL_OK;
+}
+
 int rl_bench_settings(struct rl_settings *settings, const char *parameters, struct rl_error *error)
 {
     *settings = RL_SETTINGS_DEFAULT;
@@ -87,10 +98,14 @@ int rl_bench_settings(struct rl_settings *settings, const char *parameters, stru
     } integer[] = {
         {"samples", &settings->samples},   {"normal_size", &settings->normal_size},
         {"env_size", &settings->env_size}, {"width", &settings->width},
-        {"height", &settings->height},
+        {"height", &settings->height},     {"depth_bits", &settings->depth_bits},
     };
     for (size_t i = 0; i < sizeof integer / sizeof integer[0] && status == RL_OK; i++)
         status = take_integer(integer[i].value, parameters, integer[i].key, error);
+    if (status == RL_OK)
+        status = take_switch(&settings->culling, parameters, "culling", error);
+    if (status == RL_OK)
+        status = take_switch(&settings->reversed_depth, parameters, "reversed_depth", error);
     double rr = rl_parameter_number(parameters, "rr");
     if (!isnan(rr))
         settings->rr = rr;

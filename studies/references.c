@@ -18,11 +18,12 @@ static uint64_t make_key(const struct rl_bench *bench, const struct rl_scene *sc
                          const struct rl_settings *s)
 {
     char text[256];
-    int n = snprintf(text, sizeof text,
-                     "%016" PRIx64
-                     " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d shadows=%d",
-                     scene->hash, bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance,
-                     s->attenuation, rl_frame_name(s->frame), (int)s->light_from, s->shadows);
+    int n =
+        snprintf(text, sizeof text,
+                 "%016" PRIx64
+                 " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d shadows=%d culling=%d",
+                 scene->hash, bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance,
+                 s->attenuation, rl_frame_name(s->frame), (int)s->light_from, s->shadows, s->culling);
     return rl_hash_bytes(RL_HASH_START, text, (size_t)n);
 }
 

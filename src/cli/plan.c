@@ -84,6 +84,30 @@ static void buffer_rows(struct rl_rows *rows, const struct rl_scene *scene, cons
     }
 }
 
+/* What decides which surface a pixel shows. */
+static void visibility_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    char detail[128];
+    const struct rl_settings *s = &plan->settings;
+    size_t all = 0, back = 0;
+    for (size_t i = 0; i < scene->n_objects; i++)
+        if (plan->object[i].drawn) {
+            all += scene->object[i].mesh.n_triangles;
+            back += rl_mesh_back_faces(&scene->object[i].mesh, scene->camera.position);
+        }
+    if (!plan->on_cpu) {
+        snprintf(detail, sizeof detail, "%d bits%s, from %g at %g to %g at %g", s->depth_bits,
+                 s->depth_bits == 32 ? ", float" : "", s->reversed_depth ? 1.0 : 0.0,
+                 scene->camera.near_plane, s->reversed_depth ? 0.0 : 1.0, scene->camera.far_plane);
+        row(rows, "buffer", "depth", detail);
+    }
+    if (plan->stencil)
+        row(rows, "buffer", "stencil", "8 bits, for the passes after the surface's");
+    snprintf(detail, sizeof detail, "%zu of %zu triangles are back faces", back, all);
+    if (s->culling)
+        row(rows, "culling", "back faces", detail);
+}
+
 /* The objects whose material runs program `index` in its pass, as "objects a, b". */
 static void users(char detail[], size_t size, const struct rl_scene *scene, const struct rl_plan *plan,
                   int index)
@@ -143,6 +167,7 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
             "decide");
     texture_rows(&rows, scene, &plan);
     buffer_rows(&rows, scene, &plan);
+    visibility_rows(&rows, scene, &plan);
     if (plan.on_cpu)
         row(&rows, "pass", "cpu",
             "Embree finds each pixel's point; effects and highlight are evaluated in double precision");
@@ -181,7 +206,8 @@ const struct rl_command rl_command_plan = {
         "shader modules that\n"
         "follow from them. What is not listed is not allocated, compiled or drawn. Rows: kind, name, detail; "
         "kinds are\n"
-        "effect, highlight, texture, buffer, pass, module; and dropped: what the scene has but cannot change "
+        "effect, highlight, texture, buffer, culling, pass, module; and dropped: what the scene has but "
+        "cannot change "
         "a "
         "pixel, and why.\n\n"
         "  roughlight plan studies/scenes/teapot-star.yaml\n"

@@ -30,6 +30,10 @@ const struct rl_option rl_options_render[] = {
     {0, "drop", "on|off",
      "leave out what cannot change a pixel: lights behind every surface, objects out of view (on)"},
     {0, "shadows", "on|off", "reference: objects hide the lights from one another's highlights (off)"},
+    {0, "culling", "on|off", "do not draw back faces; off: surfaces show their backs too (on)"},
+    {0, "depth-bits", "B", "of the GPU's depth buffer: 16, 24, 32 (float) (24)"},
+    {0, "reversed-depth", "on|off",
+     "the GPU's depth falls from 1 at the near plane to 0 at the far one (off)"},
     {0, "tolerance", "T", "reference: error wanted, relative to the brightest light (1e-5)"},
     {0},
 };
@@ -110,11 +114,14 @@ static int take_numbers(struct rl_settings *settings, const struct rl_arguments 
     long long samples = settings->samples;
     long long normal_size = settings->normal_size;
     long long env_size = settings->env_size;
+    long long depth_bits = settings->depth_bits;
     int status = rl_argument_integer(a, "samples", 1, RL_SAMPLES_MAX, &samples, error);
     if (status == RL_OK)
         status = rl_argument_integer(a, "normal-size", 64, 2048, &normal_size, error);
     if (status == RL_OK)
         status = rl_argument_integer(a, "env-size", 8, 4096, &env_size, error);
+    if (status == RL_OK)
+        status = rl_argument_integer(a, "depth-bits", 16, 32, &depth_bits, error);
     if (status == RL_OK)
         status = rl_argument_number(a, "rr", RL_RR_MIN, RL_RR_MAX, &settings->rr, error);
     if (status == RL_OK)
@@ -122,6 +129,7 @@ static int take_numbers(struct rl_settings *settings, const struct rl_arguments 
     settings->samples = (int)samples;
     settings->normal_size = (int)normal_size;
     settings->env_size = (int)env_size;
+    settings->depth_bits = (int)depth_bits;
     return status;
 }
 
@@ -141,6 +149,10 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
         status = take_switch(&s->drop, text, "drop", error);
     if (status == RL_OK && (text = rl_argument(a, "shadows")))
         status = take_switch(&s->shadows, text, "shadows", error);
+    if (status == RL_OK && (text = rl_argument(a, "culling")))
+        status = take_switch(&s->culling, text, "culling", error);
+    if (status == RL_OK && (text = rl_argument(a, "reversed-depth")))
+        status = take_switch(&s->reversed_depth, text, "reversed-depth", error);
     if (status == RL_OK && (text = rl_argument(a, "light-from")))
         status = take_light_from(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "frame")))

@@ -64,6 +64,7 @@
     X(PFNGLGETBUFFERSUBDATAPROC, GetBufferSubData)                 \
     X(PFNGLGETERRORPROC, GetError)                                 \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                           \
+    X(PFNGLGETRENDERBUFFERPARAMETERIVPROC, GetRenderbufferParameteriv) \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)               \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                         \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                 \

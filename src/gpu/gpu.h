@@ -43,7 +43,9 @@ extern const size_t rl_n_gpu_backends;
 
 /* What the GL layer counted since the scene was made or rl_gpu_scene_reset_counters. */
 struct rl_gpu_counters {
-    size_t draws, triangles;
+    size_t draws, triangles; /* triangles: all that were drawn, culled or not */
+    size_t
+        triangles_culled; /* of these, back faces, as seen from where the camera was when the scene was made */
     size_t programs, modules, textures; /* in use; modules: of all programs, each as often as it is in one */
     size_t programs_kept,
         textures_kept; /* of these, those that the context had from before and took no time or upload */
@@ -81,6 +83,14 @@ int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl
 /* Where the last frame's highlight pass drew, as one channel of 1 and 0: what the sphere pass let through. Highlights drawn with the
  * surface (plain) are not in it. Allocates `image`. */
 int rl_gpu_scene_read_drawn(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);
+
+/* Which object and triangle each pixel shows: as two channels, numbers from 1 on as the scene and the mesh count them; 0: background. Drawn
+ * with the plan's depth buffer and culling by a program that is made for it; the frame buffer holds no picture after it. Allocates `image`.
+ * RL_ERR_INPUT: a mesh of more than 2^24 triangles, which floats do not count. (identity.c) */
+int rl_gpu_scene_read_identity(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error);
+
+/* The bits that OpenGL gave the depth and the stencil buffer; 0: none. */
+void rl_gpu_scene_depth(const struct rl_gpu_scene *gs, int *depth_bits, int *stencil_bits);
 
 /* One environment map, six faces of size x size side by side in GL's order (+x -x +y -y +z -z), radiance RGB.
  * For tests and pictures. RL_ERR_INPUT if the object has none. */

@@ -30,17 +30,27 @@ static void set_material(const struct rl_gpu_scene *gs, const struct rl_gpu_prog
     }
 }
 
-static void set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p)
+void rl_frame_set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p)
 {
     const struct rl_gl *gl = &gs->gpu->gl;
     const struct rl_camera *camera = &gs->scene->camera;
     double matrix[16];
     float single[16];
-    rl_camera_matrix(camera, gs->width, gs->height, matrix);
+    rl_camera_matrix(camera, gs->width, gs->height, gs->plan->settings.reversed_depth, matrix);
     for (int i = 0; i < 16; i++)
         single[i] = (float)matrix[i];
     gl->UniformMatrix4fv(p->clip_from_world, 1, GL_FALSE, single);
     gl->Uniform3f(p->eye, (float)camera->position.x, (float)camera->position.y, (float)camera->position.z);
+}
+
+void rl_frame_draw_mesh(struct rl_gpu_scene *gs, const struct rl_gpu_object *object)
+{
+    const struct rl_gl *gl = &gs->gpu->gl;
+    gl->BindVertexArray(object->vertex_array);
+    gl->DrawElements(GL_TRIANGLES, object->n_indices, GL_UNSIGNED_INT, NULL);
+    gs->counters.draws++;
+    gs->counters.triangles += (size_t)object->n_indices / 3;
+    gs->counters.triangles_culled += gs->plan->settings.culling ? object->n_back_faces : 0;
 }
 
 static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *object, int program)
@@ -48,7 +58,7 @@ static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *obj
     const struct rl_gl *gl = &gs->gpu->gl;
     const struct rl_gpu_program *p = &gs->program[program];
     gl->UseProgram(p->id);
-    set_camera(gs, p);
+    rl_frame_set_camera(gs, p);
     set_material(gs, p, object->material);
     float seen_from[4] = {0.0f};
     if (object->environment) {
@@ -62,32 +72,43 @@ static void draw_object(struct rl_gpu_scene *gs, const struct rl_gpu_object *obj
         gl->Uniform1f(p->environment_unit, gs->environment_unit);
     }
     gl->Uniform4fv(p->seen_from, 1, seen_from);
-    gl->BindVertexArray(object->vertex_array);
-    gl->DrawElements(GL_TRIANGLES, object->n_indices, GL_UNSIGNED_INT, NULL);
-    gs->counters.draws++;
-    gs->counters.triangles += (size_t)object->n_indices / 3;
+    rl_frame_draw_mesh(gs, object);
 }
 
-static void begin_frame(const struct rl_gpu_scene *gs)
+/* Other scenes on the context, and environment maps, may have another range of depth. */
+static void set_depth(const struct rl_gpu_scene *gs)
+{
+    const struct rl_gl *gl = &gs->gpu->gl;
+    bool reversed = gs->plan->settings.reversed_depth;
+    gl->ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    gl->ClearDepth(reversed ? 0.0 : 1.0);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthMask(GL_TRUE);
+    gl->DepthFunc(reversed ? GL_GREATER : GL_LESS);
+}
+
+void rl_frame_begin(const struct rl_gpu_scene *gs)
 {
     const struct rl_gl *gl = &gs->gpu->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
     gl->Viewport(0, 0, gs->width, gs->height);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl->DepthMask(GL_TRUE);
+    set_depth(gs);
     gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    gl->Enable(GL_DEPTH_TEST);
-    gl->Enable(GL_CULL_FACE);
-    rl_lights_bind(gs);
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
+              (gs->plan->stencil ? (GLbitfield)GL_STENCIL_BUFFER_BIT : 0));
+    if (gs->plan->settings.culling)
+        gl->Enable(GL_CULL_FACE);
+    else
+        gl->Disable(GL_CULL_FACE);
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_STENCIL_TEST);
 }
 
 static void surface_pass(struct rl_gpu_scene *gs)
 {
     const struct rl_gl *gl = &gs->gpu->gl;
-    gl->Disable(GL_BLEND);
-    gl->Disable(GL_STENCIL_TEST);
-    gl->DepthFunc(GL_LESS);
+    rl_lights_bind(gs);
     for (size_t i = 0; i < gs->scene->n_objects; i++)
         if (gs->plan->object[i].drawn)
             draw_object(gs, &gs->object[i], gs->object[i].material->surface_program);
@@ -153,11 +174,12 @@ int rl_gpu_scene_frame(struct rl_gpu_scene *gs, double *seconds, struct rl_error
     for (size_t i = 0; i < gs->scene->n_objects; i++)
         spheres = spheres || (has_highlight(gs, i) && gs->object[i].material->sphere_program >= 0);
     double start = rl_clock_seconds();
-    begin_frame(gs);
+    rl_frame_begin(gs);
     surface_pass(gs);
     if (spheres)
         sphere_pass(gs);
-    highlight_pass(gs);
+    if (gs->plan->stencil)
+        highlight_pass(gs);
     gs->gpu->gl.Finish();
     *seconds = rl_clock_seconds() - start;
     return rl_gl_check(&gs->gpu->gl, "drawing a frame", error);

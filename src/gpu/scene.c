@@ -11,6 +11,18 @@
 #include "base/hash.h"
 #include "gpu/textures.h"
 
+static GLenum depth_format(const struct rl_plan *plan)
+{
+    switch (plan->settings.depth_bits) {
+    case 16:
+        return GL_DEPTH_COMPONENT16;
+    case 32:
+        return plan->stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+    default:
+        return plan->stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24;
+    }
+}
+
 static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     struct rl_gl *gl = &gs->gpu->gl;
@@ -23,18 +35,19 @@ static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
     snprintf(what, sizeof what, "an image of %d x %d pixels", gs->width, gs->height);
     gl->GenFramebuffers(1, &gs->framebuffer);
     gl->GenRenderbuffers(1, &gs->colour);
-    gl->GenRenderbuffers(1, &gs->depth_stencil);
+    gl->GenRenderbuffers(1, &gs->depth);
     gl->BindRenderbuffer(GL_RENDERBUFFER, gs->colour);
     gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, gs->width, gs->height);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->depth_stencil);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, gs->width, gs->height);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->depth);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, depth_format(gs->plan), gs->width, gs->height);
     int status = rl_gl_check(gl, what, error);
     if (status != RL_OK)
         return status;
     gl->BindFramebuffer(GL_FRAMEBUFFER, gs->framebuffer);
     gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, gs->colour);
-    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                                gs->depth_stencil);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER,
+                                gs->plan->stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                                GL_RENDERBUFFER, gs->depth);
     return rl_gl_check_framebuffer(gl, what, error);
 }
 
@@ -194,6 +207,7 @@ static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error)
                            mesh->n_triangles);
         object->material = rl_plan_of_object(gs->plan, gs->scene, i);
         object->environment = environment >= 0 ? gs->environment[environment] : 0;
+        object->n_back_faces = rl_mesh_back_faces(mesh, gs->scene->camera.position);
         int status = upload_mesh(object, gs, mesh, error);
         if (status != RL_OK)
             return rl_fail_prefix(error, "object %s",
@@ -276,7 +290,7 @@ void rl_gpu_scene_free(struct rl_gpu_scene *gs)
     rl_lights_free(gs);
     gl->DeleteFramebuffers(1, &gs->framebuffer);
     gl->DeleteRenderbuffers(1, &gs->colour);
-    gl->DeleteRenderbuffers(1, &gs->depth_stencil);
+    gl->DeleteRenderbuffers(1, &gs->depth);
     free(gs->program);
     free(gs->material);
     free(gs->object);
@@ -305,6 +319,8 @@ int rl_gpu_scene_read(struct rl_gpu_scene *gs, struct rl_image *image, struct rl
 int rl_gpu_scene_read_drawn(struct rl_gpu_scene *gs, struct rl_image *image, struct rl_error *error)
 {
     struct rl_gl *gl = &gs->gpu->gl;
+    if (!gs->plan->stencil) /* no pass but the surface's */
+        return rl_image_allocate(image, gs->width, gs->height, 1, error);
     uint8_t *row = malloc((size_t)gs->width);
     if (!row)
         return rl_fail_memory(error, "a row of the stencil buffer");
@@ -323,6 +339,17 @@ int rl_gpu_scene_read_drawn(struct rl_gpu_scene *gs, struct rl_image *image, str
     if (status != RL_OK)
         rl_image_clear(image);
     return status;
+}
+
+void rl_gpu_scene_depth(const struct rl_gpu_scene *gs, int *depth_bits, int *stencil_bits)
+{
+    const struct rl_gl *gl = &gs->gpu->gl;
+    GLint depth = 0, stencil = 0;
+    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->depth);
+    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &depth);
+    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_STENCIL_SIZE, &stencil);
+    *depth_bits = depth;
+    *stencil_bits = stencil;
 }
 
 struct rl_gpu_counters rl_gpu_scene_counters(const struct rl_gpu_scene *gs)

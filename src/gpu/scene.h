@@ -14,6 +14,7 @@ enum { RL_STORE_POLYGONS, RL_STORE_POLYGON_VERTICES };                          
 struct rl_gpu_object {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei n_indices;
+    size_t n_back_faces; /* from where the camera was when the scene was made */
     const struct rl_plan_material *material;
     GLuint environment; /* cube map or 0 */
 };
@@ -38,18 +39,23 @@ struct rl_gpu_scene {
     const struct rl_scene *scene;
     const struct rl_plan *plan;
     int width, height;
-    GLuint framebuffer, colour, depth_stencil;
-    struct rl_gpu_program *program;   /* plan->n_programs */
-    struct rl_gpu_material *material; /* plan->n_materials */
-    struct rl_gpu_object *object;     /* scene->n_objects */
-    GLuint *normal_map;               /* plan->n_normal_maps */
-    GLuint *pattern;                  /* plan->n_patterns */
-    GLuint *environment;              /* plan->n_environments */
+    GLuint framebuffer, colour, depth; /* depth: and stencil, where the plan has one */
+    struct rl_gpu_program *program;    /* plan->n_programs */
+    struct rl_gpu_material *material;  /* plan->n_materials */
+    struct rl_gpu_object *object;      /* scene->n_objects */
+    GLuint *normal_map;                /* plan->n_normal_maps */
+    GLuint *pattern;                   /* plan->n_patterns */
+    GLuint *environment;               /* plan->n_environments */
     struct rl_gpu_lights lights;
     GLuint environment_framebuffer, environment_depth;
     float environment_unit;
     struct rl_gpu_counters counters;
 };
+
+/* passes.c: the frame buffer cleared, and what all of a frame's draws have in common set. Then an object's draw. */
+void rl_frame_begin(const struct rl_gpu_scene *gs);
+void rl_frame_set_camera(const struct rl_gpu_scene *gs, const struct rl_gpu_program *p);
+void rl_frame_draw_mesh(struct rl_gpu_scene *gs, const struct rl_gpu_object *object);
 
 /* lights.c: checks that the lights are not too many, fills their buffers from the scene's present state, binds them. */
 int rl_lights_make(struct rl_gpu_scene *gs, struct rl_error *error);

@@ -117,7 +117,7 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
     if (status == RL_OK)
         status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
     if (status == RL_OK)
-        status = rl_visible_make(&job->visible, scene, error);
+        status = rl_visible_make(&job->visible, scene, plan->settings.culling, error);
     if (status == RL_OK)
         status = make_environments(job, error);
     if (status == RL_OK && plan->settings.shadows)

@@ -10,6 +10,7 @@ struct rl_visible {
     const struct rl_scene *scene;
     RTCDevice device;
     RTCScene world;
+    bool culling;
 };
 
 /* Rejects hits on back faces, so that the ray goes on through them as the rasteriser does. Embree's geometric normal is
@@ -46,7 +47,8 @@ static int attach_mesh(struct rl_visible *v, const struct rl_mesh *mesh, unsigne
     if (positions && indices) {
         memcpy(positions, mesh->position, mesh->n_vertices * sizeof *mesh->position);
         memcpy(indices, mesh->triangle, mesh->n_triangles * sizeof *mesh->triangle);
-        rtcSetGeometryIntersectFilterFunction(geometry, cull_back_face);
+        if (v->culling)
+            rtcSetGeometryIntersectFilterFunction(geometry, cull_back_face);
         rtcSetGeometryOccludedFilterFunction(geometry, skip_own);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(v->world, geometry, id);
@@ -57,13 +59,15 @@ static int attach_mesh(struct rl_visible *v, const struct rl_mesh *mesh, unsigne
     return RL_OK;
 }
 
-int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, struct rl_error *error)
+int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, bool culling,
+                    struct rl_error *error)
 {
     struct rl_visible *v = calloc(1, sizeof *v);
     *out = NULL;
     if (!v)
         return rl_fail_memory(error, "the CPU renderer");
     v->scene = scene;
+    v->culling = culling;
     v->device = rtcNewDevice("verbose=0");
     if (!v->device) {
         free(v);
@@ -112,9 +116,9 @@ static rl_vec3 interpolate(float (*values)[3], const uint32_t corner[3], double 
     return v3_madd(sum, v, vertex_vector(values[corner[2]]));
 }
 
-/* Where the ray meets the triangle's plane, in double precision (Moeller and Trumbore 1997): Embree's own u and v are floats, which
+/* Where the ray meets the triangle's plane, and whether from behind, in double precision (Moeller and Trumbore 1997): Embree's own u and v are floats, which
  * moves a sharp highlight by more than the image's last digit. */
-static void meet_plane(double *u, double *v, const struct rl_mesh *mesh, const uint32_t corner[3],
+static bool meet_plane(double *u, double *v, const struct rl_mesh *mesh, const uint32_t corner[3],
                        rl_vec3 origin, rl_vec3 direction)
 {
     rl_vec3 first = vertex_vector(mesh->position[corner[0]]), from_first = v3_sub(origin, first);
@@ -124,6 +128,7 @@ static void meet_plane(double *u, double *v, const struct rl_mesh *mesh, const u
     double scale = 1.0 / v3_dot(a, p);
     *u = v3_dot(from_first, p) * scale;
     *v = v3_dot(direction, v3_cross(from_first, a)) * scale;
+    return v3_dot(direction, v3_cross(a, b)) > 0.0;
 }
 
 bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct rl_visible *visible,
@@ -141,7 +146,7 @@ bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct r
                 .dir_z = (float)direction.z,
                 /* The planes of the GPU's camera lie at distances along `forward`. */
                 .tnear = (float)(camera->near_plane / v3_dot(direction, camera->forward)),
-                .tfar = INFINITY,
+                .tfar = (float)(camera->far_plane / v3_dot(direction, camera->forward)),
                 .mask = ~0u},
         .hit = {.geomID = RTC_INVALID_GEOMETRY_ID},
     };
@@ -151,9 +156,11 @@ bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct r
     const struct rl_mesh *mesh = &visible->scene->object[query.hit.geomID].mesh;
     const uint32_t *corner = mesh->triangle[query.hit.primID];
     double u, v;
-    meet_plane(&u, &v, mesh, corner, camera->position, direction);
+    bool from_behind = meet_plane(&u, &v, mesh, corner, camera->position, direction);
     surface->P = interpolate(mesh->position, corner, u, v);
     surface->N = v3_normalize(interpolate(mesh->normal, corner, u, v));
+    if (from_behind)
+        surface->N = v3_scale(-1.0, surface->N);
     surface->V = v3_normalize(v3_sub(camera->position, surface->P));
     *object = query.hit.geomID;
     return true;

@@ -1,5 +1,5 @@
-/* What the camera sees at a pixel's centre, found by Embree on the scene's meshes with the GPU's rules: back faces are culled, the
- * nearest front face wins, normals are interpolated.
+/* What the camera sees at a pixel's centre, found by Embree on the scene's meshes with the GPU's rules: back faces are culled or, without
+ * culling, shaded with -N; the nearest face between the camera's planes wins, normals are interpolated.
  */
 #ifndef RL_REFERENCE_VISIBLE_H
 #define RL_REFERENCE_VISIBLE_H
@@ -14,7 +14,8 @@
 struct rl_visible;
 
 /* `scene` must outlive it. */
-int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, struct rl_error *error);
+int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, bool culling,
+                    struct rl_error *error);
 void rl_visible_free(struct rl_visible *visible);
 
 /* The surface point on the ray from the camera in this direction (unit) and the object it lies on; false: background. May be

@@ -64,6 +64,9 @@ static void parameters(struct stamp *stamp, const struct rl_settings *s)
     text(stamp, "frame", rl_frame_name(s->frame));
     text(stamp, "light_from", s->light_from == RL_LIGHT_FROM_OBJECT ? "object" : "point");
     text(stamp, "shadows", s->shadows ? "on" : "off");
+    text(stamp, "culling", s->culling ? "on" : "off");
+    number(stamp, "depth_bits", s->depth_bits);
+    text(stamp, "reversed_depth", s->reversed_depth ? "on" : "off");
     number(stamp, "tolerance", s->tolerance);
     snprintf(name, sizeof name, "%llu", (unsigned long long)s->seed);
     text(stamp, "seed", name); /* as text: a number would lose digits above 2^53 */

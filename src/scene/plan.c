@@ -138,6 +138,21 @@ static int check_shadows(const struct rl_plan *plan, const struct rl_scene *scen
     return RL_OK;
 }
 
+/* OpenGL packs 8 bits of stencil with 24 or 32 of depth; a stencil buffer apart from the depth buffer is a frame buffer that drivers may
+ * refuse (OpenGL 4.5, 9.4.2), and Mesa does. */
+static int check_depth(const struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
+{
+    for (size_t i = 0; i < plan->n_materials && plan->settings.depth_bits == 16; i++)
+        if (plan->material[i].highlight_program >= 0)
+            return rl_fail(
+                error, RL_ERR_INPUT,
+                "%s: a depth buffer of 16 bits, which has no stencil beside it, and the method %s, "
+                "whose pass needs one, expected --depth-bits 24 or 32, or a method drawn with the "
+                "surface: --method plain",
+                scene->path, plan->material[i].method->name);
+    return RL_OK;
+}
+
 static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene)
 {
     for (size_t i = 0; i < scene->n_objects; i++) {
@@ -231,10 +246,14 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
             plan_materials(plan, scene);
         }
         scale_radiance(plan, scene);
-        for (size_t i = 0; i < plan->n_materials && !plan->on_cpu; i++)
+        for (size_t i = 0; i < plan->n_materials && !plan->on_cpu; i++) {
             rl_plan_passes(plan, scene, &plan->material[i]);
+            plan->stencil = plan->stencil || plan->material[i].highlight_program >= 0;
+        }
         plan_environments(plan, scene);
-        status = rl_plan_list_drops(plan, scene, error);
+        status = check_depth(plan, scene, error);
+        if (status == RL_OK)
+            status = rl_plan_list_drops(plan, scene, error);
     }
     if (status != RL_OK)
         rl_plan_clear(plan);

@@ -71,6 +71,7 @@ struct rl_plan_drop {
 struct rl_plan {
     struct rl_settings settings; /* with the scene's size filled in */
     unsigned sees;               /* enum rl_effect_sees: what of the lights any effect sees */
+    bool stencil;                /* some pass needs a stencil buffer; false: none is allocated */
     bool on_cpu; /* some method is of the CPU alone: no programs, textures or passes of the GPU */
     size_t n_materials, n_programs, n_normal_maps, n_patterns;
     struct rl_plan_material *material; /* those that some object wears, by index in the scene */
@@ -92,7 +93,7 @@ struct rl_plan {
 
 /* With settings.drop, what cannot change a pixel of this scene, as it is now, is left out: after a light, an object or the camera has moved,
  * make another. RL_ERR_INPUT: settings out of range, a frame that a method does not take, materials whose methods share neither the CPU nor the
- * GPU, or shadows that a method cannot draw. */
+ * GPU, shadows that a method cannot draw, or a depth buffer of 16 bits where a pass needs a stencil, which these have none beside them. */
 int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_settings *settings,
                  struct rl_error *error);
 void rl_plan_clear(struct rl_plan *plan);

@@ -21,7 +21,7 @@ const struct rl_effect *rl_plan_zero_factor(const struct rl_material *material)
 
 /* ---- Objects ---- */
 
-/* Whether the object's sphere lies behind the camera or outside one of the four sides of what it sees. */
+/* Whether the object's sphere lies outside one of the six sides of what the camera sees. */
 static bool out_of_view(const struct rl_plan *plan, const struct rl_scene *scene,
                         const struct rl_object *object)
 {
@@ -30,7 +30,7 @@ static bool out_of_view(const struct rl_plan *plan, const struct rl_scene *scene
     double x = fabs(v3_dot(d, c->right)), y = fabs(v3_dot(d, c->up)), z = v3_dot(d, c->forward);
     double r = object->radius + SLACK * (v3_length(d) + object->radius);
     double t_y = tan(0.5 * c->fov_y), t_x = t_y * plan->settings.width / plan->settings.height;
-    return z + r <= 0.0 || x - t_x * z >= r * sqrt(1.0 + t_x * t_x) ||
+    return z + r <= c->near_plane || z - r >= c->far_plane || x - t_x * z >= r * sqrt(1.0 + t_x * t_x) ||
            y - t_y * z >= r * sqrt(1.0 + t_y * t_y);
 }
 
@@ -122,7 +122,9 @@ static bool unseen(const struct rl_plan *plan, const struct rl_scene *scene, siz
     bool map = sees & RL_SEES_CENTROIDS && m->method && m->method->needs_environment;
     if (!uses(m, sees))
         return true;
-    return !looks_below(plan, m, sees) && behind(body, &scene->object[object], map, plan->settings.env_size);
+    /* A surface that is seen from both sides has no light behind it. */
+    return plan->settings.culling && !looks_below(plan, m, sees) &&
+           behind(body, &scene->object[object], map, plan->settings.env_size);
 }
 
 static bool unseen_by_all(const struct rl_plan *plan, const struct rl_scene *scene, const struct body *body,

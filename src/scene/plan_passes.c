@@ -20,11 +20,11 @@ void rl_plan_add_module(struct rl_plan_program *program, const char *module)
 }
 
 /* What every program over objects begins with. */
-static void add_object_modules(struct rl_plan_program *program)
+static void add_object_modules(struct rl_plan_program *program, const struct rl_plan *plan)
 {
     add_module(program, "passes", "object_vertex");
     add_module(program, "common", "surface");
-    add_module(program, "common", "visible");
+    add_module(program, "common", plan->settings.culling ? "visible" : "visible_both");
 }
 
 void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value)
@@ -83,7 +83,7 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
 {
     struct rl_plan_program program = {.pass = "surface"};
     bool fused = m->method && !has_own_pass(m->method);
-    add_object_modules(&program);
+    add_object_modules(&program, plan);
     if (m->n_point_lights > 0)
         add_module(&program, "common", "lights");
     if (m->sees & (RL_SEES_SOURCES | RL_SEES_CENTROIDS))
@@ -110,7 +110,7 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
 static int sphere_program(struct rl_plan *plan)
 {
     struct rl_plan_program program = {.pass = "sphere"};
-    add_object_modules(&program);
+    add_object_modules(&program, plan);
     add_module(&program, "passes", "sphere");
     return add_program(plan, &program);
 }
@@ -119,7 +119,7 @@ static int highlight_program(struct rl_plan *plan, const struct rl_scene *scene,
                              const struct rl_plan_material *m)
 {
     struct rl_plan_program program = {.pass = "highlight", .samples = m->samples};
-    add_object_modules(&program);
+    add_object_modules(&program, plan);
     add_module(&program, "common", plan->settings.frame == RL_FRAME_PRINTED ? "frame_printed" : "frame");
     add_module(&program, "common", plan->settings.attenuation ? "attenuation" : "attenuation_off");
     if (m->method->needs_point_lights)

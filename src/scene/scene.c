@@ -177,6 +177,9 @@ static int build_settings(const struct rl_scene_builder *b)
         s->env_size = raw->env_size ? *raw->env_size : s->env_size;
         s->attenuation = raw->attenuation ? *raw->attenuation == RL_RAW_ON : s->attenuation;
         s->shadows = raw->shadows ? *raw->shadows == RL_RAW_ON : s->shadows;
+        s->culling = raw->culling ? *raw->culling == RL_RAW_ON : s->culling;
+        s->depth_bits = raw->depth_bits ? *raw->depth_bits : s->depth_bits;
+        s->reversed_depth = raw->reversed_depth ? *raw->reversed_depth == RL_RAW_ON : s->reversed_depth;
         s->seed = raw->seed ? *raw->seed : s->seed;
         s->tolerance = raw->tolerance ? *raw->tolerance : s->tolerance;
         /* In a file 0 samples are a slip, not the wish for the method's default. */
@@ -209,9 +212,7 @@ static int build(const struct rl_scene_builder *b)
         status = rl_build_lights(b);
     if (status == RL_OK)
         status = rl_build_objects(b);
-    if (status == RL_OK)
-        rl_build_camera_planes(b->scene);
-    return status;
+    return status == RL_OK ? rl_build_camera_planes(b) : status;
 }
 
 int rl_scene_load(struct rl_scene *scene, const char *path, struct rl_error *error)

@@ -12,6 +12,7 @@
 #ifndef RL_SCENE_SCENE_H
 #define RL_SCENE_SCENE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -56,9 +57,11 @@ struct rl_object {
 
 struct rl_camera {
     rl_vec3 position;
-    rl_vec3 right, up, forward;   /* orthonormal, right-handed with -forward as z */
-    double fov_y;                 /* vertical, radians */
-    double near_plane, far_plane; /* distances along `forward` that enclose every object */
+    rl_vec3 right, up, forward; /* orthonormal, right-handed with -forward as z */
+    double fov_y;               /* vertical, radians */
+    /* Distances along `forward`, 0 < near_plane < far_plane: what is nearer or farther is not seen. They enclose every object but where
+     * the scene file says otherwise, or where the near one would be below a thousandth of the far one. */
+    double near_plane, far_plane;
 };
 
 struct rl_scene {
@@ -95,7 +98,9 @@ void rl_scene_lights_clear(struct rl_lights *lights);
  * row. */
 rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int x, int y);
 
-/* Column-major 4x4 for OpenGL: clip = projection x view x world. */
-void rl_camera_matrix(const struct rl_camera *camera, int width, int height, double matrix[16]);
+/* Column-major 4x4 for OpenGL: clip = projection x view x world. Depth is -1 at the near plane and 1 at the far one; `reversed`: 1 and
+ * 0, for a clip volume from zero to one. */
+void rl_camera_matrix(const struct rl_camera *camera, int width, int height, bool reversed,
+                      double matrix[16]);
 
 #endif

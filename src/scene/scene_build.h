@@ -28,7 +28,7 @@ int rl_build_triple(const struct rl_scene_builder *b, const char *key, const dou
 
 /* scene_camera.c. The planes want the objects. */
 int rl_build_camera(const struct rl_scene_builder *b);
-void rl_build_camera_planes(struct rl_scene *scene);
+int rl_build_camera_planes(const struct rl_scene_builder *b);
 
 /* scene_objects.c */
 int rl_build_objects(const struct rl_scene_builder *b);

@@ -5,6 +5,8 @@
 
 /* Depth buffers resolve planes this far apart well. */
 #define NEAR_TO_FAR 1e-3
+/* Relative distance between the planes from which on depth has a scale. */
+#define PLANES_APART 1e-6
 /* sin of the angle between view direction and `up` below which the picture's upright is arbitrary. */
 #define PARALLEL 1e-6
 
@@ -46,9 +48,10 @@ int rl_build_camera(const struct rl_scene_builder *b)
     return status;
 }
 
-void rl_build_camera_planes(struct rl_scene *scene)
+/* Tight round the objects. */
+static void planes_round_objects(const struct rl_scene *scene, double *near, double *far)
 {
-    struct rl_camera *camera = &scene->camera;
+    const struct rl_camera *camera = &scene->camera;
     double nearest = HUGE_VAL, farthest = -HUGE_VAL;
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_object *object = &scene->object[i];
@@ -60,8 +63,41 @@ void rl_build_camera_planes(struct rl_scene *scene)
     if (!(farthest > 0.0))
         farthest = 1.0;
     /* A little slack keeps a surface at the very end in the picture. */
-    camera->far_plane = 1.001 * farthest;
-    camera->near_plane = fmax(0.999 * nearest, NEAR_TO_FAR * camera->far_plane);
+    *far = 1.001 * farthest;
+    *near = 0.999 * nearest;
+}
+
+/* Whether the planes are apart; if not, the message is about one that the file gives. */
+static int check_planes(const struct rl_scene_builder *b, double near, double far)
+{
+    const struct rl_raw_camera *raw = &b->raw->camera;
+    if (far >= (1.0 + PLANES_APART) * near)
+        return RL_OK;
+    if (raw->near && raw->far)
+        return rl_yaml_fail_value(b->tree, b->error, "camera.near", "less than far, %g", far);
+    if (raw->near)
+        return rl_yaml_fail_value(b->tree, b->error, "camera.near", "less than %g, where the objects end",
+                                  far);
+    return rl_yaml_fail_value(b->tree, b->error, "camera.far", "more than %g, where the objects begin", near);
+}
+
+int rl_build_camera_planes(const struct rl_scene_builder *b)
+{
+    const struct rl_raw_camera *raw = &b->raw->camera;
+    double near, far;
+    int status = RL_OK;
+    if (raw->near)
+        status = rl_build_range(b, "camera.near", *raw->near, 1.0 / RL_LENGTH_MAX, RL_LENGTH_MAX);
+    if (status == RL_OK && raw->far)
+        status = rl_build_range(b, "camera.far", *raw->far, 1.0 / RL_LENGTH_MAX, RL_LENGTH_MAX);
+    if (status != RL_OK)
+        return status;
+    planes_round_objects(b->scene, &near, &far);
+    far = raw->far ? *raw->far : far;
+    near = raw->near ? *raw->near : fmax(near, NEAR_TO_FAR * far);
+    b->scene->camera.near_plane = near;
+    b->scene->camera.far_plane = far;
+    return check_planes(b, near, far);
 }
 
 rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int x, int y)
@@ -72,13 +108,13 @@ rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int
     return v3_normalize(v3_madd(v3_madd(camera->forward, right, camera->right), up, camera->up));
 }
 
-void rl_camera_matrix(const struct rl_camera *camera, int width, int height, double matrix[16])
+void rl_camera_matrix(const struct rl_camera *camera, int width, int height, bool reversed, double matrix[16])
 {
-    /* Rows of clip = projection x view: x along right, y along up, z and w along forward. OpenGL's depth
-     * is -1 at the near plane and 1 at the far one. */
+    /* Rows of clip = projection x view: x along right, y along up, z and w along forward. */
     double scale = 1.0 / tan(0.5 * camera->fov_y);
     double n = camera->near_plane, f = camera->far_plane;
-    double depth_scale = (f + n) / (f - n), depth_offset = -2.0 * f * n / (f - n);
+    double depth_scale = (reversed ? -n : f + n) / (f - n);
+    double depth_offset = (reversed ? f * n : -2.0 * f * n) / (f - n);
     const rl_vec3 rows[4] = {
         v3_scale(scale * height / width, camera->right),
         v3_scale(scale, camera->up),

@@ -37,6 +37,8 @@ static const cyaml_schema_field_t camera_fields[] = {
     FIELD_TRIPLE("target", struct rl_raw_camera, target),
     FIELD_TRIPLE_PTR("up", struct rl_raw_camera, up),
     CYAML_FIELD_FLOAT("field-of-view", REQUIRED, struct rl_raw_camera, field_of_view),
+    CYAML_FIELD_FLOAT_PTR("near", OPTIONAL, struct rl_raw_camera, near),
+    CYAML_FIELD_FLOAT_PTR("far", OPTIONAL, struct rl_raw_camera, far),
     CYAML_FIELD_END,
 };
 
@@ -103,6 +105,11 @@ static const cyaml_schema_field_t render_fields[] = {
                          switches, sizeof switches / sizeof switches[0]),
     CYAML_FIELD_ENUM_PTR("shadows", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_render, shadows, switches,
                          sizeof switches / sizeof switches[0]),
+    CYAML_FIELD_ENUM_PTR("culling", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_render, culling, switches,
+                         sizeof switches / sizeof switches[0]),
+    CYAML_FIELD_INT_PTR("depth-bits", OPTIONAL, struct rl_raw_render, depth_bits),
+    CYAML_FIELD_ENUM_PTR("reversed-depth", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_render, reversed_depth,
+                         switches, sizeof switches / sizeof switches[0]),
     CYAML_FIELD_STRING_PTR("frame", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_render, frame, 1, TEXT_MAX),
     CYAML_FIELD_UINT_PTR("seed", OPTIONAL, struct rl_raw_render, seed),
     CYAML_FIELD_FLOAT_PTR("tolerance", OPTIONAL, struct rl_raw_render, tolerance),

@@ -18,6 +18,7 @@ struct rl_raw_camera {
     double position[3], target[3];
     double *up;
     double field_of_view; /* degrees, vertical */
+    double *near, *far;
 };
 
 /* The parameters of an effect, in its descriptor's order: a number, a colour's three, or which of its choices. */
@@ -72,6 +73,9 @@ struct rl_raw_render {
     char *margin;
     enum rl_raw_switch *attenuation;
     enum rl_raw_switch *shadows;
+    enum rl_raw_switch *culling;
+    int *depth_bits;
+    enum rl_raw_switch *reversed_depth;
     char *frame;
     uint64_t *seed;
     double *tolerance;

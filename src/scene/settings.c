@@ -100,6 +100,9 @@ int rl_settings_check_key(const struct rl_settings *s, const char **key, struct 
     *key = "frame";
     if ((unsigned)s->frame > RL_FRAME_PRINTED)
         return rl_fail(error, RL_ERR_INPUT, "found kind %d, expected orthonormal or printed", (int)s->frame);
+    *key = "depth-bits";
+    if (s->depth_bits != 16 && s->depth_bits != 24 && s->depth_bits != 32)
+        return rl_fail(error, RL_ERR_INPUT, "found %d, expected 16, 24 or 32", s->depth_bits);
     *key = "tolerance";
     if (!(s->tolerance >= 1e-12 && s->tolerance <= 0.1))
         return rl_fail(error, RL_ERR_INPUT, "found %g, expected 1e-12 to 0.1", s->tolerance);

@@ -53,10 +53,15 @@ struct rl_settings {
     /* Reference: largest absolute error wanted of L_o, relative to the brightest light; 1e-12 to 0.1. */
     double tolerance;
     enum rl_light_from light_from; /* reference */
+    /* Back faces are not drawn; false: a surface shows its back too, shaded with -N. GPU and CPU alike. */
+    bool culling;
+    int depth_bits;      /* of the GPU's depth buffer: 16, 24 (both whole numbers) or 32 (float) */
+    bool reversed_depth; /* the GPU's depth falls from 1 at the near plane to 0 at the far one */
     bool shadows; /* reference: objects hide lights from one another's highlights; never from their own */
 };
 
-/* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame, no shadows;
+/* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame, no shadows,
+ * back faces culled, 24 bits of depth;
  * seed 1; tolerance 1e-5. */
 #define RL_SETTINGS_DEFAULT                                                                                  \
     ((struct rl_settings){.normal_bits = 8,                                                                  \
@@ -68,6 +73,8 @@ struct rl_settings {
                           .attenuation = true,                                                               \
                           .drop = true,                                                                      \
                           .frame = RL_FRAME_ORTHONORMAL,                                                     \
+                          .culling = true,                                                                   \
+                          .depth_bits = 24,                                                                  \
                           .tolerance = 1e-5})
 
 /* Checks every range; the message names the option in its command-line spelling, what was found and what

@@ -81,6 +81,11 @@ bad "shadows" "--shadows: found 'yes', expected on or off" render $scene -o "$tm
 bad "shadows of a GPU method" "shadows are on, .*method random .*--method reference, or --shadows off" \
     render $scene -o "$tmp/x.exr" --method random --shadows on
 bad "shadows of a method that does not integrate" "shadows are on, .*method plain " plan $scene --method plain --shadows on
+bad "culling" "--culling: found 'front', expected on or off" plan $scene --culling front
+bad "depth bits" "--depth-bits: found 20, expected 16, 24 or 32" plan $scene --depth-bits 20
+bad "depth bits of no number" "--depth-bits: found 'deep', expected" plan $scene --depth-bits deep
+bad "reversed depth" "--reversed-depth: found '1', expected on or off" plan $scene --reversed-depth 1
+bad "16 bits of depth without a stencil" "16 bits, .*method random.*--depth-bits 24 or 32, .*--method plain" plan $scene --depth-bits 16
 bad "budget" "--max-seconds: found '0', expected" render $scene -o "$tmp/x.exr" --method reference --max-seconds 0
 bad "budget of a GPU method" "--max-seconds: .*GPU.*--method reference" render $scene -o "$tmp/x.exr" --method random --max-seconds 3
 bad "errors of a GPU method" "--errors: .*GPU.*--method reference" render $scene -o "$tmp/x.exr" --method random --errors "$tmp/xe.exr"

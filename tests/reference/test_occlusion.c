@@ -78,7 +78,7 @@ static void world_make(struct world *w, const double (*lights)[4][3], size_t n_l
     }
     w->scene =
         (struct rl_scene){.n_objects = 2, .object = w->object, .n_lights = n_lights, .light = w->light};
-    check_ok(rl_visible_make(&w->visible, &w->scene, &error), &error);
+    check_ok(rl_visible_make(&w->visible, &w->scene, true, &error), &error);
     check_ok(rl_occluders_make(&w->occluders, &w->scene, w->visible, &error), &error);
     check_ok(rl_light_set_make(&w->lights, w->light, n_lights, &error), &error);
     check_ok(rl_light_set_make(&w->with_black, w->light, n_lights + 1, &error), &error);

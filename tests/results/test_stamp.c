@@ -43,6 +43,8 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
         {"roughlight:env_format", "r11g11b10f"},
         {"roughlight:attenuation", "off"},
         {"roughlight:shadows", "off"},
+        {"roughlight:culling", "on"},
+        {"roughlight:reversed_depth", "off"},
         {"roughlight:frame", "printed"},
         {"roughlight:light_from", "object"},
         {"roughlight:seed", "12345678901234567890"},
@@ -56,6 +58,7 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
     expect_text(image, "roughlight:version", rl_version.version);
     expect_number(image, "roughlight:env_size", 128.0);
     expect_number(image, "roughlight:margin", 0.25);
+    expect_number(image, "roughlight:depth_bits", 24.0);
     expect_number(image, "roughlight:tolerance", 0x1p-20);
     expect_number(image, "roughlight:seconds", 0.5);
     expect_number(image, "roughlight:threads", 3.0);

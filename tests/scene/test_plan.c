@@ -164,6 +164,34 @@ static void test_left_out(void **state)
 
 /* Two materials that differ in R_r alone share programs, not normal maps; those alike in R_r share these,
  * too. */
+/* Back faces that are drawn have a module that turns their normals, and every light counts; a stencil is there for highlights alone. */
+static void test_visibility(void **state)
+{
+    (void)state;
+    struct rl_settings settings = RL_SETTINGS_DEFAULT;
+    load(0, -1, NULL);
+    make(&settings);
+    assert_true(plan.stencil);
+    assert_true(any_module("common/visible"));
+    assert_false(any_module("common/visible_both"));
+    rl_plan_clear(&plan);
+    settings.culling = false;
+    settings.method = "plain";
+    make(&settings);
+    assert_false(plan.stencil);
+    assert_true(any_module("common/visible_both"));
+    assert_false(any_module("common/visible"));
+    rl_plan_clear(&plan);
+    settings.depth_bits = 16;
+    make(&settings);
+    rl_plan_clear(&plan);
+    settings.method = "regular";
+    check_fails(rl_plan_make(&plan, &scene, &settings, &error), &error, RL_ERR_INPUT, path);
+    assert_non_null(strstr(error.message, "16 bits"));
+    assert_non_null(strstr(error.message, "method regular"));
+    rl_scene_clear(&scene);
+}
+
 static void test_sharing(void **state)
 {
     (void)state;
@@ -275,7 +303,7 @@ int main(void)
         cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
         cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
         cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
-        cmocka_unit_test(test_modules_exist),
+        cmocka_unit_test(test_modules_exist), cmocka_unit_test(test_visibility),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

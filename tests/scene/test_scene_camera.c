@@ -25,7 +25,7 @@ static void test_camera(void **state)
     check_near(v3_dot(v3_cross(c->right, c->up), c->forward), -1.0, 1e-15);
     check_vec3(c->right, 1.0, 0.0, 0.0, 1e-15);
     double m[16], clip[4];
-    rl_camera_matrix(c, s.width, s.height, m);
+    rl_camera_matrix(c, s.width, s.height, false, m);
     /* The ray through a pixel's centre meets the same pixel through the matrix; y = 0 is the top row. */
     static const int pixels[][2] = {{0, 0}, {63, 47}, {10, 40}, {31, 23}};
     for (size_t i = 0; i < 4; i++) {
@@ -39,6 +39,15 @@ static void test_camera(void **state)
     check_near(clip[2] / clip[3], -1.0, 1e-12);
     transform(m, v3_madd(c->position, c->far_plane, c->forward), clip);
     check_near(clip[2] / clip[3], 1.0, 1e-12);
+    /* Reversed: 1 and 0, and the same picture. */
+    double r[16], reversed[4];
+    rl_camera_matrix(c, s.width, s.height, true, r);
+    transform(r, v3_madd(c->position, c->near_plane, c->forward), reversed);
+    check_near(reversed[2] / reversed[3], 1.0, 1e-12);
+    transform(r, v3_madd(c->position, c->far_plane, c->forward), reversed);
+    check_near(reversed[2] / reversed[3], 0.0, 1e-12);
+    for (int i = 0; i < 16; i++)
+        assert_true(i % 4 == 2 || r[i] == m[i]);
     /* The top edge of the film is half the field of view up. */
     rl_vec3 top = v3_normalize(v3_madd(c->forward, tan(0.5 * c->fov_y), c->up));
     transform(m, v3_add(c->position, top), clip);
@@ -81,6 +90,42 @@ static void test_planes(void **state)
     rl_scene_clear(&s);
 }
 
+/* As the file says; the one that it does not give fits the objects. */
+static void test_given_planes(void **state)
+{
+    (void)state;
+    struct rl_scene s, fitting;
+    load_with(&fitting, 0, -1, NULL);
+    load_with(&s, 6, 6, "  field-of-view: 40\n  near: 0.25\n  far: 7.5");
+    check_near(s.camera.near_plane, 0.25, 0.0);
+    check_near(s.camera.far_plane, 7.5, 0.0);
+    rl_scene_clear(&s);
+    load_with(&s, 6, 6, "  field-of-view: 40\n  near: 1e-6");
+    check_near(s.camera.near_plane, 1e-6, 0.0);
+    check_near(s.camera.far_plane, fitting.camera.far_plane, 0.0);
+    rl_scene_clear(&s);
+    load_with(&s, 6, 6, "  field-of-view: 40\n  far: 5");
+    check_near(s.camera.near_plane, fitting.camera.near_plane, 0.0);
+    check_near(s.camera.far_plane, 5.0, 0.0);
+    rl_scene_clear(&s);
+    load_with(&s, 6, 6, "  field-of-view: 40\n  far: 1e9"); /* then the near one is not below a thousandth */
+    check_near(s.camera.near_plane, 1e6, 1e-3);
+    rl_scene_clear(&s);
+    rl_scene_clear(&fitting);
+}
+
+static void test_visibility_settings(void **state)
+{
+    (void)state;
+    struct rl_scene s;
+    load_with(&s, 0, -1, NULL);
+    assert_true(s.settings.culling && s.settings.depth_bits == 24 && !s.settings.reversed_depth);
+    rl_scene_clear(&s);
+    load_with(&s, 34, 35, "  culling: off\n  depth-bits: 32\n  reversed-depth: on");
+    assert_true(!s.settings.culling && s.settings.depth_bits == 32 && s.settings.reversed_depth);
+    rl_scene_clear(&s);
+}
+
 /* The scenes that come with the program. */
 static void test_planes_of_scenes(void **state)
 {
@@ -102,6 +147,8 @@ int main(void)
         cmocka_unit_test(test_camera),
         cmocka_unit_test(test_planes),
         cmocka_unit_test(test_planes_of_scenes),
+        cmocka_unit_test(test_given_planes),
+        cmocka_unit_test(test_visibility_settings),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -86,6 +86,10 @@ static void test_numbers(void **state)
         AT(35, "  attenuation: maybe", "render.attenuation: found 'maybe', expected on, off, true or false"),
         AT(35, "  frame: wooden", "render.frame: found 'wooden', expected orthonormal or printed"),
         AT(35, "  tolerance: 0", "render.tolerance: found 0, expected 1e-12 to 0.1"),
+        AT(34, "  depth-bits: 8", "render.depth-bits: found 8, expected 16, 24 or 32"),
+        AT(34, "  depth-bits: deep", "render.depth-bits: found 'deep', expected a whole number"),
+        AT(34, "  culling: front", "render.culling: found 'front', expected on, off, true or false"),
+        AT(34, "  reversed-depth: 1", "render.reversed-depth: found '1', expected on, off, true or false"),
     };
     CHECK_ALL(table);
 }
@@ -103,6 +107,15 @@ static void test_camera(void **state)
         AT(6, "  field-of-view: 0", "camera.field-of-view: found '0', expected 0.01 to 179"),
         AT(6, "  field-of-view: 180", "camera.field-of-view: found '180', expected 0.01 to 179"),
         AT(3, "  position: [0, 1, 5e9]", "camera.position[2]: found '5e9', expected -1e+09 to 1e+09"),
+        {6, 6, "  field-of-view: 40\n  near: 0", 7, "camera.near: found '0', expected 1e-09 to 1e+09"},
+        {6, 6, "  field-of-view: 40\n  far: -1", 7, "camera.far: found '-1', expected 1e-09 to 1e+09"},
+        {6, 6, "  field-of-view: 40\n  near: .inf", 7, "camera.near: found '.inf', expected a finite number"},
+        {6, 6, "  field-of-view: 40\n  near: 3\n  far: 3", 7,
+         "camera.near: found '3', expected less than far, 3"},
+        {6, 6, "  field-of-view: 40\n  far: 2\n  near: 3", 8,
+         "camera.near: found '3', expected less than far, 2"},
+        {6, 6, "  field-of-view: 40\n  near: 100", 7, "camera.near: found '100', expected less than 6."},
+        {6, 6, "  field-of-view: 40\n  far: 0.01", 7, "camera.far: found '0.01', expected more than 3."},
     };
     CHECK_ALL(table);
 }

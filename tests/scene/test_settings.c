@@ -69,6 +69,11 @@ static void test_ranges(void **state)
     check_fails(WITH(width, 16385), &error, RL_ERR_INPUT, "--size: found 16385, expected 1 to 16384");
     check_fails(WITH(height, -1), &error, RL_ERR_INPUT, "--size: found -1");
     check_fails(WITH(frame, (enum rl_frame_kind)5), &error, RL_ERR_INPUT, "--frame");
+    check_ok(WITH(depth_bits, 16), &error);
+    check_ok(WITH(depth_bits, 24), &error);
+    check_ok(WITH(depth_bits, 32), &error);
+    check_fails(WITH(depth_bits, 8), &error, RL_ERR_INPUT, "--depth-bits: found 8, expected 16, 24 or 32");
+    check_fails(WITH(depth_bits, 20), &error, RL_ERR_INPUT, "--depth-bits: found 20");
     check_ok(WITH(tolerance, 1e-12), &error);
     check_fails(WITH(tolerance, 0.0), &error, RL_ERR_INPUT, "--tolerance: found 0, expected 1e-12 to 0.1");
     check_fails(WITH(tolerance, NAN), &error, RL_ERR_INPUT, "--tolerance");
