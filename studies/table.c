@@ -17,6 +17,7 @@ extern const struct rl_study rl_study_effects;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_bare;
 extern const struct rl_study rl_study_accuracy;
+extern const struct rl_study rl_study_visibility;
 
 /* One row each. */
 /* clang-format off */
@@ -33,6 +34,7 @@ const struct rl_study *const rl_studies[] = {
     &rl_study_fps,
     &rl_study_bare,
     &rl_study_accuracy,
+    &rl_study_visibility,
 };
 /* clang-format on */
 

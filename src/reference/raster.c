@@ -31,15 +31,16 @@ static rl_vec3 ray_at(const struct view *view, int x, int y)
               1.0);
 }
 
-/* a_i = row[i].d; false: seen edge-on. */
-static bool make_rows(rl_vec3 row[3], bool *front, const rl_vec3 v[3])
+/* a_i = row[i].d; false: seen edge-on, or from behind where that is culled. Right, up and forward are left-handed: the volume of a triangle
+ * that shows its front is positive. */
+static bool make_rows(rl_vec3 row[3], const rl_vec3 v[3], bool culling)
 {
     double volume = v3_dot(v[0], v3_cross(v[1], v[2]));
+    if (volume == 0.0 || (culling && volume < 0.0))
+        return false;
     for (int i = 0; i < 3; i++)
         row[i] = v3_scale(1.0 / volume, v3_cross(v[(i + 1) % 3], v[(i + 2) % 3]));
-    /* Right, up and forward are left-handed. */
-    *front = volume > 0.0;
-    return volume != 0.0;
+    return true;
 }
 
 /* The pixels that the triangle may cover, to before x1 and y1: all where a corner does not lie before the eye. */
@@ -54,21 +55,25 @@ static int within(double at, int size)
 
 static struct box bound(const struct view *view, const rl_vec3 v[3])
 {
+    /* Of a pixel; rounding is less than this by far. */
+    const double slack = 1e-6;
     const struct rl_raster_options *o = view->options;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < 3; i++) {
         if (!(v[i].z > 0.0))
             return (struct box){0, 0, o->width, o->height};
         double scale = 0.5 * o->height / (view->half * v[i].z);
-        const double at[2] = {0.5 * o->width + scale * v[i].x, 0.5 * o->height - scale * v[i].y};
+        /* In pixels, those whose ray passes through a corner being whole numbers. */
+        const double at[2] = {0.5 * o->width + scale * v[i].x - 0.5 - o->dx,
+                              0.5 * o->height - scale * v[i].y - 0.5 - o->dy};
         for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], at[k]);
-            high[k] = fmax(high[k], at[k]);
+            low[k] = at[k] < low[k] ? at[k] : low[k];
+            high[k] = at[k] > high[k] ? at[k] : high[k];
         }
     }
-    /* A pixel more on each side, for the ray's place within one. */
-    return (struct box){within(low[0] - 2.0, o->width), within(low[1] - 2.0, o->height),
-                        within(high[0] + 2.0, o->width), within(high[1] + 2.0, o->height)};
+    return (struct box){within(ceil(low[0] - slack), o->width), within(ceil(low[1] - slack), o->height),
+                        within(floor(high[0] + slack) + 1.0, o->width),
+                        within(floor(high[1] + slack) + 1.0, o->height)};
 }
 
 static double depth_of(const struct rl_camera *c, bool reversed, double z)
@@ -90,14 +95,25 @@ static double kept(const struct rl_camera *c, const struct rl_raster_options *o,
     return o->reversed_depth ? -depth : depth;
 }
 
+/* What it holds before anything is drawn. */
+static double cleared(const struct rl_raster_options *o)
+{
+    if (o->depth_bits == 0)
+        return INFINITY;
+    if (o->reversed_depth)
+        return 0.0;
+    return o->depth_bits == 32 ? 1.0 : ldexp(1.0, o->depth_bits) - 1.0;
+}
+
 /* Where a surface at z is nearer than what the pixel shows, it shows now. */
 static void meet(struct rl_raster_pixel *p, double z, uint32_t object, uint32_t triangle,
                  const struct view *view)
 {
     const struct rl_camera *c = view->camera;
+    const struct rl_raster_options *o = view->options;
     if (!(z >= c->near_plane && z <= c->far_plane))
         return;
-    if (p->object != 0 && !(kept(c, view->options, z) < kept(c, view->options, p->z))) {
+    if (!(kept(c, o, z) < (p->object != 0 ? kept(c, o, p->z) : cleared(o)))) {
         p->gap = fmin(p->gap, z - p->z);
         return;
     }
@@ -108,8 +124,7 @@ static void draw_triangle(struct rl_raster_pixel *pixel, const rl_vec3 v[3], uin
                           uint32_t triangle, const struct view *view)
 {
     rl_vec3 row[3];
-    bool front;
-    if (!make_rows(row, &front, v) || (view->options->culling && !front))
+    if (!make_rows(row, v, view->options->culling))
         return;
     const struct box box = bound(view, v);
     for (int y = box.y0; y < box.y1; y++)
@@ -148,9 +163,8 @@ double rl_raster_depth(const struct rl_scene *scene, const struct rl_raster_opti
 {
     const struct view view = make_view(scene, options);
     rl_vec3 v[3], row[3], d = ray_at(&view, x, y);
-    bool front;
     corners(v, scene, object - 1, triangle - 1);
-    if (!make_rows(row, &front, v))
+    if (!make_rows(row, v, false))
         return INFINITY;
     return 1.0 / (v3_dot(row[0], d) + v3_dot(row[1], d) + v3_dot(row[2], d));
 }

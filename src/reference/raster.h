@@ -31,7 +31,8 @@ struct rl_raster_pixel {
     double gap; /* exact depth: to the next surface behind it, in z; infinite if there is none */
 };
 
-/* Fills width x height pixels, row 0 the top one. Of equal depths the first drawn stays, as with GL_LESS. */
+/* Fills width x height pixels, row 0 the top one. Of equal depths the first drawn stays, as with GL_LESS; so does what the depth buffer was
+ * cleared to, so that a surface which rounds to the far plane's depth is not seen. */
 void rl_raster_draw(struct rl_raster_pixel *pixel, const struct rl_scene *scene,
                     const struct rl_raster_options *options);
 
