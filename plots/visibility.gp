@@ -13,7 +13,7 @@ load ARG1
 n_buffers = 4
 bits = "16 24 32 32"
 reversed = "off off off on"
-array name[4] = ["16 bits", "24 bits", "32 bits (float)", "32 bits reversed"]
+array buffer[4] = ["16 bits", "24 bits", "32 bits (float)", "32 bits reversed"]
 is_buffer(i) = strcol("scene") eq scene && column("depth_bits") == word(bits, i) && strcol("reversed_depth") eq word(reversed, i)
 # Side by side, so that marks at one place can be told apart.
 beside(i) = 1.12 ** (i - 2.5)
@@ -37,9 +37,10 @@ if (figure eq "wrong") {
     set format y "10^{%L}"
     set yrange [lowest / 1.5:1.5]
     plot for [i = 1:n_buffers] data using (is_buffer(i) ? column("ratio") * beside(i) : NaN):(positive(column("wrong"))):(positive(column("wrong_low"))):(positive(column("wrong_high"))) \
-            with yerrorbars linetype i dashtype 1 pointsize 1 title name[i], \
+            with yerrorbars linetype i dashtype 1 pointsize 1 title buffer[i], \
         for [i = 1:n_buffers] data using (is_buffer(i) && column("ideal") > 0 ? column("ratio") * beside(i) : NaN):(positive(column("ideal"))) \
-            with lines linetype i title i == n_buffers ? "lines: ideal" : "", \
+            with lines linetype i notitle, \
+        NaN with lines linetype 2 title "lines: ideal", \
         0.001 with lines linestyle 90 title "1 pixel in 1000"
 }
 
@@ -50,36 +51,43 @@ if (figure eq "worst") {
     set ylabel "steps of the depth buffer behind the right one"
     set yrange [0:(W_max > 1.2 ? 1.1 * W_max : 1.3)]
     plot for [i = 1:n_buffers] data using (is_buffer(i) && column("worst") > 0 ? column("ratio") * beside(i) : NaN):"worst" \
-            with points linetype i pointsize 1.2 title name[i], \
+            with points linetype i pointsize 1.2 title buffer[i], \
         1 with lines linestyle 90 title "one step"
 }
 
 if (figure eq "map") {
     raw = folder . "/visibility_raw.tsv"
-    of_map(any) = strcol("study") eq "visibility" && strcol("scene") eq scene && strcol("series") eq "map" && strstrt(strcol("parameters"), "depth_bits=16") > 0
-    # Its first value is the picture's width. Of several ratios the first in the table.
-    chosen = ""
-    of_chosen(any) = of_map(0) && (chosen eq "" ? (chosen = strcol("parameters"), 1) : strcol("parameters") eq chosen)
+    of_map(bits) = strcol("study") eq "visibility" && strcol("scene") eq scene && strcol("series") eq "map" && strstrt(strcol("parameters"), "depth_bits=" . bits . " ") > 0
+    # Of several ratios the first in the table. A map's first value is the picture's width.
+    ratio = NaN
+    first_ratio(x) = ratio == ratio ? ratio == x : (ratio = x, 1)
+    on_map(bits) = of_map(bits) && first_ratio(parameter("ratio"))
     width = 0
-    stats raw using (of_chosen(0) ? (column("index") == 0 ? (width = int(column("value"))) : 0, column("index")) : NaN) name "I" nooutput
+    stats raw using (on_map("16") ? (column("index") == 0 ? (width = int(column("value"))) : 0, column("index")) : NaN) name "I" nooutput
     if (!exists("I_max") || width == 0) { exit status 3 }
     height = int(I_max) / width
-    set title "Pixels that show the wrong surface, 16 bits: " . scene
-    set xrange [-0.5:width - 0.5]
+    across(i) = (int(i) - 1) % width
+    down(i) = (int(i) - 1) / width
+    right = 1.04 * width
+    set title sprintf("Pixels that show the wrong surface, far/near %g: %s", ratio, scene)
+    set xrange [-0.5:right + width - 0.5]
     set yrange [height - 0.5:-0.5]
     set size ratio -1
-    unset xtics
+    set format x ""
     unset ytics
     unset grid
     unset colorbox
-    set border 15
+    set border 0
+    set xtics scale 0 ("16 bits" 0.5 * width, "24 bits" right + 0.5 * width)
     set palette maxcolors 4
-    set palette defined (0 "#ffffff", 1 "#9ecae1", 2 "#a63603", 3 "#bdbdbd")
+    set palette defined (0 "#f4f5f6", 1 "#9ecae1", 2 "#7f2704", 3 "#bdbdbd")
     set cbrange [-0.5:3.5]
-    plot raw using (of_chosen(0) && column("index") > 0 ? (int(column("index")) - 1) % width : NaN):((int(column("index")) - 1) / width):"value" with image notitle, \
-        NaN with boxes fillstyle solid 1 border linecolor rgb "#9ecae1" title "right", \
-        NaN with boxes fillstyle solid 1 border linecolor rgb "#a63603" title "wrong", \
-        NaN with boxes fillstyle solid 1 border linecolor rgb "#bdbdbd" title "not judged"
+    set key maxcols 3
+    plot raw using (on_map("16") && column("index") > 0 ? across(column("index")) : NaN):(down(column("index"))):"value" with image notitle, \
+        raw using (on_map("24") && column("index") > 0 ? right + across(column("index")) : NaN):(down(column("index"))):"value" with image notitle, \
+        NaN with points pointtype 5 pointsize 2 linecolor rgb "#9ecae1" title "right", \
+        NaN with points pointtype 5 pointsize 2 linecolor rgb "#7f2704" title "wrong", \
+        NaN with points pointtype 5 pointsize 2 linecolor rgb "#bdbdbd" title "not judged"
 }
 
 if (figure eq "culling") {

@@ -146,9 +146,9 @@ static const struct rl_figure figures[] = {
     {"worst", "How far behind the right surface a wrong one lies at most, in steps of the depth buffer "
               "there, which are "
               "z^2/(near 2^b) of whole numbers. Grey: one step, what an ideal one may be off."},
-    {"map", "Where the wrong surface shows, 16 bits of depth, far/near 1000. Grey: not judged, for the "
-            "nearest surface is another one "
-            "within 1/64 of a pixel."},
+    {"map", "Where the wrong surface shows with 16 and with 24 bits, far/near 1000. Grey: not judged, for "
+            "the nearest surface is another "
+            "one within 1/64 of a pixel."},
     {"culling",
      "Frame time over that with back faces culled, with 95 % intervals: drawn, and culled once more (A/A)."},
 };
