@@ -62,12 +62,20 @@ if (figure eq "map") {
     ratio = NaN
     first_ratio(x) = ratio == ratio ? ratio == x : (ratio = x, 1)
     on_map(bits) = of_map(bits) && first_ratio(parameter("ratio"))
-    width = 0
-    stats raw using (on_map("16") ? (column("index") == 0 ? (width = int(column("value"))) : 0, column("index")) : NaN) name "I" nooutput
-    if (!exists("I_max") || width == 0) { exit status 3 }
-    height = int(I_max) / width
-    across(i) = (int(i) - 1) % width
-    down(i) = (int(i) - 1) / width
+    # A map's first values are the picture's width and height; then 24 pixels are one value, each of them two bits.
+    stats raw using (on_map("16") ? column("index") : NaN) name "I" nooutput
+    if (!exists("I_max")) { exit status 3 }
+    array packed[int(I_max) + 1]
+    set print $map
+    do for [k = 1:2] {
+        stats raw using (on_map(word("16 24", k)) ? (packed[int(column("index")) + 1] = column("value"), 0) : NaN) nooutput
+        width = int(packed[1])
+        height = int(packed[2])
+        do for [i = 0:width * height - 1] {
+            print sprintf("%d\t%d\t%d\t%d", k, i % width, i / width, int(packed[3 + i / 24] / 4.0 ** (i % 24)) % 4)
+        }
+    }
+    set print
     right = 1.04 * width
     set title sprintf("Pixels that show the wrong surface, far/near %g: %s", ratio, scene)
     set xrange [-0.5:right + width - 0.5]
@@ -83,8 +91,8 @@ if (figure eq "map") {
     set palette defined (0 "#f4f5f6", 1 "#9ecae1", 2 "#7f2704", 3 "#bdbdbd")
     set cbrange [-0.5:3.5]
     set key maxcols 3
-    plot raw using (on_map("16") && column("index") > 0 ? across(column("index")) : NaN):(down(column("index"))):"value" with image notitle, \
-        raw using (on_map("24") && column("index") > 0 ? right + across(column("index")) : NaN):(down(column("index"))):"value" with image notitle, \
+    unset datafile columnheaders
+    plot for [k = 1:2] $map using ($1 == k ? (k - 1) * right + $2 : NaN):3:4 with image notitle, \
         NaN with points pointtype 5 pointsize 2 linecolor rgb "#9ecae1" title "right", \
         NaN with points pointtype 5 pointsize 2 linecolor rgb "#7f2704" title "wrong", \
         NaN with points pointtype 5 pointsize 2 linecolor rgb "#bdbdbd" title "not judged"

@@ -10,11 +10,13 @@
  * beside the camera's. Metrics: sure, the share of the surface's pixels whose answer no rounding of coverage can change; of these, wrong,
  * the share that shows another triangle than the exact one, and ideal, what an ideal depth buffer of so many bits would get wrong; worst,
  * how far behind the right surface a wrong one lies at most, in steps of the depth buffer there; wrong_pixels, and of them missing, which show
- * background. Series wrong and ideal, by view; with map=on a series map: width, then pixel by pixel 0 background, 1 right, 2 wrong, 3 not sure.
+ * background. Series wrong and ideal, by view; with map=on a series map: width and height, then row by row what pixels show, 0
+ * background, 1 the right triangle, 2 a wrong one, 3 not judged: RL_VISIBILITY_PACKED of them a value, the first in its last two bits.
  * "series=culling", a group for each method and depth buffer: arms on, again (the same) and off. Metrics: triangles and back_faces, both of
  * one frame's surface pass, closed (1: every mesh is), pixels (of the surface), changed (with other bits than arm=on), sure_pixels (whose answer no rounding of
  * coverage can change) and of them changed_sure, all over all views; with
  * rounds > 0 those of timing_arms.h, of the first view. */
+enum { RL_VISIBILITY_PACKED = 24 };
 int rl_visibility_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                           const struct rl_scene *scene, struct rl_error *error);
 int rl_visibility_measure_culling(struct rl_record *records, size_t n, struct rl_bench *bench,

@@ -46,18 +46,28 @@ static bool shows(const float id[2], const struct rl_raster_pixel *p)
     return id[0] == (float)p->object && id[1] == (float)p->triangle;
 }
 
+/* 0: background, 1: right, 2: wrong, 3: not judged. */
+static int kind_of(const struct rl_visibility_truth *t, const struct rl_image *identity, size_t i)
+{
+    const struct rl_raster_pixel *p = &t->at[0][i];
+    if (p->object == 0)
+        return 0;
+    return !t->sure[i] ? 3 : shows(&identity->data[2 * i], p) ? 1 : 2;
+}
+
 static int add_map(struct rl_record *r, const struct rl_visibility_truth *t, const struct rl_image *identity,
                    struct rl_error *error)
 {
-    double *map = malloc((t->n + 1) * sizeof *map);
+    size_t n = 2 + (t->n + RL_VISIBILITY_PACKED - 1) / RL_VISIBILITY_PACKED;
+    double *map = calloc(n, sizeof *map);
     if (!map)
         return rl_fail_memory(error, "a map of wrong pixels");
     map[0] = identity->width;
-    for (size_t i = 0; i < t->n; i++) {
-        const struct rl_raster_pixel *p = &t->at[0][i];
-        map[i + 1] = p->object == 0 ? 0.0 : !t->sure[i] ? 3.0 : shows(&identity->data[2 * i], p) ? 1.0 : 2.0;
-    }
-    int status = rl_record_series_add(r, "map", map, t->n + 1, error);
+    map[1] = identity->height;
+    for (size_t i = 0; i < t->n; i++)
+        map[2 + i / RL_VISIBILITY_PACKED] +=
+            ldexp(kind_of(t, identity, i), 2 * (int)(i % RL_VISIBILITY_PACKED));
+    int status = rl_record_series_add(r, "map", map, n, error);
     free(map);
     return status;
 }

@@ -47,7 +47,7 @@ refused "a text file as database" "not an SQLite database" study report --db "$t
 check "which is left as it was" grep -q "not a database, but" "$tmp/text.db"
 
 "$rl" study list >"$tmp/list.tsv"
-for study in distribution samples roughness bitdepth frame margin environment budget effects fps bare accuracy; do
+for study in distribution samples roughness bitdepth frame margin environment budget effects fps bare visibility accuracy; do
     check "list has study $study" [ "$(column study "$tmp/list.tsv" | grep -cx $study)" -eq 1 ]
 done
 

@@ -278,9 +278,12 @@ static void test_depth(void **state)
         const struct rl_series *map = rl_record_series(&r[0], "map");
         size_t wrong = 0;
         assert_non_null(map);
-        assert_int_equal(map->n, 1 + 64 * 48);
-        for (size_t k = 1; k < map->n; k++)
-            wrong += map->value[k] == 2.0;
+        assert_int_equal(map->n, 2 + 64 * 48 / RL_VISIBILITY_PACKED);
+        assert_true(map->value[0] == 64.0 && map->value[1] == 48.0);
+        for (size_t k = 0; k < (size_t)64 * 48; k++) {
+            uint64_t packed = (uint64_t)map->value[2 + k / RL_VISIBILITY_PACKED];
+            wrong += (packed >> 2 * (k % RL_VISIBILITY_PACKED) & 3) == 2;
+        }
         assert_true(value(&r[0], "sure") > 0.5);
         assert_true(i == 0 ? wrong > 100 : wrong == 0);
         for (int b = 0; b < BUFFERS; b++) {
