@@ -317,6 +317,39 @@ int rl_argument_number(const struct rl_arguments *a, const char *name, double lo
     return RL_OK;
 }
 
+bool rl_text_vector(const char **text, rl_vec3 *v)
+{
+    double c[3];
+    for (int i = 0; i < 3; i++) {
+        char *end = NULL;
+        c[i] = strtod(*text, &end);
+        if (end == *text || !isfinite(c[i]) || (i < 2 && *end != ','))
+            return false;
+        *text = i < 2 ? end + 1 : end;
+    }
+    *v = v3(c[0], c[1], c[2]);
+    return **text == '\0' || isspace((unsigned char)**text);
+}
+
+int rl_argument_vector(const struct rl_arguments *a, const char *name, bool direction, rl_vec3 *v,
+                       struct rl_error *error)
+{
+    const char *text = rl_argument(a, name);
+    if (!text)
+        return RL_OK;
+    const char *rest = text;
+    if (!rl_text_vector(&rest, v) || *rest != '\0')
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected three finite numbers x,y,z", name,
+                       text);
+    if (!direction)
+        return RL_OK;
+    *v = v3_normalize(*v);
+    if (!(v3_dot(*v, *v) > 0.0))
+        return rl_fail(error, RL_ERR_INPUT, "--%s: found the zero vector '%s', expected a direction", name,
+                       text);
+    return RL_OK;
+}
+
 /* The options that the command takes, or its verb. */
 static void print_options(const struct rl_command *command, const struct rl_verb *verb)
 {

@@ -18,6 +18,7 @@
 #include <stddef.h>
 
 #include "base/error.h"
+#include "model/vec3.h"
 
 enum { RL_CLI_POSITIONALS_MAX = 64, RL_CLI_GIVEN_MAX = 256 };
 
@@ -98,8 +99,14 @@ int rl_argument_integer(const struct rl_arguments *arguments, const char *name, 
 int rl_argument_number(const struct rl_arguments *arguments, const char *name, double low, double high,
                        double *value, struct rl_error *error);
 
+/* "x,y,z"; a direction may have any length above 0 and becomes unit. */
+int rl_argument_vector(const struct rl_arguments *arguments, const char *name, bool direction, rl_vec3 *v,
+                       struct rl_error *error);
+
 /* A finite number that is all of `text`; false if it is not. */
 bool rl_text_number(const char *text, double *value);
+/* Three finite numbers "x,y,z" at *text, which moves behind them; false unless a blank or the end follows there. */
+bool rl_text_vector(const char **text, rl_vec3 *v);
 
 /* Prints the help that these words ask for: the command's, or that of the verb among them. RL_ERR_INPUT: a word where a verb should
  * be is none. */

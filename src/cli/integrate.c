@@ -1,5 +1,4 @@
 /* `integrate`: L_o at one point under polygon lights given on the command line, one row. */
-#include <ctype.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,47 +53,13 @@ struct job {
     size_t n_lights;
 };
 
-/* "x,y,z" at *text, which moves behind it. */
-static bool scan_vector(const char **text, rl_vec3 *v)
-{
-    double c[3];
-    for (int i = 0; i < 3; i++) {
-        char *end = NULL;
-        c[i] = strtod(*text, &end);
-        if (end == *text || !isfinite(c[i]) || (i < 2 && *end != ','))
-            return false;
-        *text = i < 2 ? end + 1 : end;
-    }
-    *v = v3(c[0], c[1], c[2]);
-    return **text == '\0' || isspace((unsigned char)**text);
-}
-
-static int take_vector(const struct rl_arguments *a, const char *name, bool direction, rl_vec3 *v,
-                       struct rl_error *error)
-{
-    const char *text = rl_argument(a, name);
-    if (!text)
-        return RL_OK;
-    const char *rest = text;
-    if (!scan_vector(&rest, v) || *rest != '\0')
-        return rl_fail(error, RL_ERR_INPUT, "--%s: found '%s', expected three finite numbers x,y,z", name,
-                       text);
-    if (!direction)
-        return RL_OK;
-    *v = v3_normalize(*v);
-    if (!(v3_dot(*v, *v) > 0.0))
-        return rl_fail(error, RL_ERR_INPUT, "--%s: found the zero vector '%s', expected a direction", name,
-                       text);
-    return RL_OK;
-}
-
 static int take_light(struct rl_light *light, const char *text, size_t number, struct rl_error *error)
 {
     rl_vec3 vertex[RL_POLYGON_VERTICES_MAX + 1];
     int n = 0;
     const char *rest = text + strspn(text, " \t\n");
     while (*rest != '\0' && n <= RL_POLYGON_VERTICES_MAX) {
-        if (!scan_vector(&rest, &vertex[n]))
+        if (!rl_text_vector(&rest, &vertex[n]))
             return rl_fail(error, RL_ERR_INPUT,
                            "--light %zu: vertex %d in '%s', expected three finite numbers x,y,z", number,
                            n + 1, text);
@@ -202,11 +167,11 @@ static int take_job(struct job *job, const struct rl_arguments *a, struct rl_err
         if (!rl_argument(a, needed[i]))
             return rl_fail(error, RL_ERR_INPUT,
                            "--%s is missing; 'roughlight integrate --help' shows an example", needed[i]);
-    int status = take_vector(a, "position", false, &job->surface.P, error);
+    int status = rl_argument_vector(a, "position", false, &job->surface.P, error);
     if (status == RL_OK)
-        status = take_vector(a, "normal", true, &job->surface.N, error);
+        status = rl_argument_vector(a, "normal", true, &job->surface.N, error);
     if (status == RL_OK)
-        status = take_vector(a, "view", true, &job->surface.V, error);
+        status = rl_argument_vector(a, "view", true, &job->surface.V, error);
     if (status == RL_OK)
         status = take_method(job, a, error);
     if (status == RL_OK)
