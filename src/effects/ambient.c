@@ -16,7 +16,11 @@ static void constant(const struct rl_surface *s, double params[][4], double rgb[
 }
 
 static const struct rl_effect_param param[] = {
-    {.help = "k_a, times the surface's colour", .kind = RL_EFFECT_COLOUR, .high = 1e9, .coefficient = true},
+    {.help = "k_a, times the surface's colour",
+     .kind = RL_EFFECT_COLOUR,
+     .high = 1e9,
+     .coefficient = true,
+     .radiance = true},
     {0},
 };
 

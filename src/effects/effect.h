@@ -102,6 +102,7 @@ struct rl_effect_param {
     enum rl_effect_kind kind;
     bool required;
     bool coefficient; /* the effect does something only where one of its coefficients is not 0 */
+    bool radiance;    /* it adds to what is seen by itself, so a photometric scene has it in cd/m^2 */
 };
 
 /* ---- Descriptors ---- */

@@ -58,12 +58,16 @@ void rl_effect_schema_make(struct rl_effect_schema *schema, cyaml_schema_field_t
 static int take_value(const struct rl_scene_builder *b, double *to, const struct rl_effect_param *param,
                       const void *raw, const char *key)
 {
+    int status;
     if (!raw)
         return param->required ? rl_yaml_fail_value(b->tree, b->error, key, "%s", param->help) : RL_OK;
     switch (param->kind) {
     case RL_EFFECT_COLOUR:
         memcpy(to, raw, 3 * sizeof *to);
-        return rl_build_triple(b, key, to, param->low, param->high);
+        status = rl_build_triple(b, key, to, param->low, param->high);
+        for (int c = 0; c < 3 && param->radiance && b->scene->white > 0.0; c++)
+            to[c] /= b->scene->white;
+        return status;
     case RL_EFFECT_CHOICE:
         *to = *(const int *)raw;
         return RL_OK;

@@ -207,6 +207,8 @@ static int build(const struct rl_scene_builder *b)
     if (status == RL_OK)
         status = build_settings(b);
     if (status == RL_OK)
+        status = rl_build_white(b);
+    if (status == RL_OK)
         status = build_materials(b);
     if (status == RL_OK)
         status = rl_build_lights(b);

@@ -7,7 +7,8 @@
  *     }
  *
  * Lengths are in one unit of the scene's choice, angles in files in degrees, radiance in W/(m^2 sr) or any
- * other unit, linear RGB; intensity is radiance times area, irradiance is radiance times solid angle. World axes are right-handed. studies/scenes/README.md describes the format.
+ * other unit, linear RGB; intensity is radiance times area, irradiance is radiance times solid angle. Photometric scenes are in metres, and
+ * radiance is luminance in cd/m^2 divided by `white`. World axes are right-handed. studies/scenes/README.md describes the format.
  */
 #ifndef RL_SCENE_SCENE_H
 #define RL_SCENE_SCENE_H
@@ -72,8 +73,11 @@ struct rl_scene {
     size_t n_materials, n_objects, n_lights, n_sources;
     struct rl_material *material;
     struct rl_object *object;
-    struct rl_light *light;      /* those with a shape */
-    struct rl_source *source;    /* point and parallel lights */
+    struct rl_light *light;   /* those with a shape */
+    struct rl_source *source; /* point and parallel lights */
+    /* cd/m^2 that 1 stands for in a photometric scene: radiance is luminance over white, intensity luminous intensity over white, and so on,
+     * and so are the pictures. 0: a radiometric scene. */
+    double white;
     struct rl_settings settings; /* RL_SETTINGS_DEFAULT with what the file's `render` block says */
 };
 

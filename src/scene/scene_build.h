@@ -25,6 +25,8 @@ int rl_build_range(const struct rl_scene_builder *b, const char *key, double val
 /* The same for all of three entries. */
 int rl_build_triple(const struct rl_scene_builder *b, const char *key, const double value[3], double low,
                     double high);
+/* Whether the file has the key, with whatever value: libcyaml gives NULL for an empty list, too. */
+bool rl_build_has_key(const struct rl_scene_builder *b, const char *parent, const char *key);
 
 /* scene_camera.c. The planes want the objects. */
 int rl_build_camera(const struct rl_scene_builder *b);
@@ -38,12 +40,20 @@ int rl_build_lights(const struct rl_scene_builder *b);
 
 /* scene_sources.c: which kind of light lights[i] is, told from its keys. */
 enum rl_light_kind { RL_LIGHT_POLYGON, RL_LIGHT_MESH, RL_LIGHT_POINT, RL_LIGHT_PARALLEL };
-/* RL_ERR_INPUT: several kinds at once or none, a strength of another kind, a placement of what has no shape. strength: as
- * written, in range. */
-int rl_build_light_kind(const struct rl_scene_builder *b, size_t i, enum rl_light_kind *kind,
-                        double strength[3]);
-/* A point or parallel light; its strength is filled already. */
+/* RL_ERR_INPUT: several kinds at once or none, a placement of what has no shape. */
+int rl_build_light_kind(const struct rl_scene_builder *b, size_t i, enum rl_light_kind *kind);
+const char *rl_light_kind_key(enum rl_light_kind kind);
+/* A point or parallel light, without its strength. */
 int rl_build_source(const struct rl_scene_builder *b, size_t i, struct rl_source *source);
+
+/* scene_strength.c. The scene's `white`, before anything that it divides; RL_ERR_INPUT: radiometric and photometric lights. */
+int rl_build_white(const struct rl_scene_builder *b);
+/* The radiance of a light whose shape is built already; light NULL: of one without shape, its intensity or irradiance.
+ * RL_ERR_INPUT: no quantity that goes with the kind of light, or more than one; a wrong unit; a value out of range. */
+int rl_build_strength(const struct rl_scene_builder *b, size_t i, enum rl_light_kind kind,
+                      const struct rl_light *light, double rgb[3]);
+/* closed.c: whether each edge of a mesh light belongs to two of its triangles (or four, and so on). */
+int rl_light_closed(bool *closed, const struct rl_light *light, struct rl_error *error);
 
 /* placement.c: a vertex goes to linear p + translate, a normal to cofactor n (the inverse transpose, times
  * the determinant, which is positive). */

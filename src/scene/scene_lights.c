@@ -137,7 +137,7 @@ static int name_light(char **name, const struct rl_scene_builder *b, size_t i)
     return *name ? RL_OK : rl_fail_memory(b->error, key);
 }
 
-/* A light with a shape; its radiance is filled already. */
+/* A light with a shape, without its radiance. */
 static int build_shaped(const struct rl_scene_builder *b, size_t i, struct rl_light *light)
 {
     const struct rl_raw_light *raw = &b->raw->lights[i];
@@ -158,21 +158,22 @@ static int build_shaped(const struct rl_scene_builder *b, size_t i, struct rl_li
 static int build_light(const struct rl_scene_builder *b, size_t i)
 {
     enum rl_light_kind kind;
-    double strength[3];
     struct rl_scene *scene = b->scene;
-    int status = rl_build_light_kind(b, i, &kind, strength);
+    int status = rl_build_light_kind(b, i, &kind);
     if (status != RL_OK)
         return status;
     if (kind == RL_LIGHT_POINT || kind == RL_LIGHT_PARALLEL) {
         struct rl_source *source = &scene->source[scene->n_sources++];
-        memcpy(source->strength, strength, sizeof source->strength);
         status = name_light(&source->name, b, i);
-        return status == RL_OK ? rl_build_source(b, i, source) : status;
+        if (status == RL_OK)
+            status = rl_build_source(b, i, source);
+        return status == RL_OK ? rl_build_strength(b, i, kind, NULL, source->strength) : status;
     }
     struct rl_light *light = &scene->light[scene->n_lights++];
-    memcpy(light->radiance, strength, sizeof light->radiance);
     status = name_light(&light->name, b, i);
-    return status == RL_OK ? build_shaped(b, i, light) : status;
+    if (status == RL_OK)
+        status = build_shaped(b, i, light);
+    return status == RL_OK ? rl_build_strength(b, i, kind, light, light->radiance) : status;
 }
 
 int rl_build_lights(const struct rl_scene_builder *b)

@@ -39,6 +39,7 @@ static const cyaml_schema_field_t camera_fields[] = {
     CYAML_FIELD_FLOAT("field-of-view", REQUIRED, struct rl_raw_camera, field_of_view),
     CYAML_FIELD_FLOAT_PTR("near", OPTIONAL, struct rl_raw_camera, near),
     CYAML_FIELD_FLOAT_PTR("far", OPTIONAL, struct rl_raw_camera, far),
+    CYAML_FIELD_IGNORE("white", OPTIONAL),
     CYAML_FIELD_END,
 };
 
@@ -84,6 +85,12 @@ static const cyaml_schema_field_t light_fields[] = {
     FIELD_TRIPLE_PTR("radiance", struct rl_raw_light, radiance),
     FIELD_TRIPLE_PTR("intensity", struct rl_raw_light, intensity),
     FIELD_TRIPLE_PTR("irradiance", struct rl_raw_light, irradiance),
+    CYAML_FIELD_IGNORE("luminance", OPTIONAL),
+    CYAML_FIELD_IGNORE("luminous-intensity", OPTIONAL),
+    CYAML_FIELD_IGNORE("flux", OPTIONAL),
+    CYAML_FIELD_IGNORE("flux-per-side", OPTIONAL),
+    CYAML_FIELD_IGNORE("illuminance", OPTIONAL),
+    FIELD_TRIPLE_PTR("colour", struct rl_raw_light, colour),
     CYAML_FIELD_END,
 };
 

@@ -1,5 +1,6 @@
 /* A scene file as libcyaml fills it, value by value as written: what is optional and absent is NULL.
- * scene_build.c turns it into a struct rl_scene. The tables in scene_schema.c are the format's definition. */
+ * scene_build.c turns it into a struct rl_scene. The tables in scene_schema.c are the format's definition. Numbers with units are left to
+ * scene_strength.c, which reads them from the tree. */
 #ifndef RL_SCENE_SCENE_SCHEMA_H
 #define RL_SCENE_SCENE_SCHEMA_H
 
@@ -60,6 +61,7 @@ struct rl_raw_light {
     struct rl_raw_placement placement;
     double *position, *direction;              /* of a light without shape */
     double *radiance, *intensity, *irradiance; /* its strength, by kind of light */
+    double *colour;                            /* of a photometric strength */
 };
 
 enum rl_raw_switch { RL_RAW_OFF, RL_RAW_ON };

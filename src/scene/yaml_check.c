@@ -211,6 +211,8 @@ static int check_node(const struct check *c, const struct rl_yaml_node *node,
                       const cyaml_schema_value_t *schema, const char *key)
 {
     switch (schema->type) {
+    case CYAML_IGNORE: /* the builder reads it from the tree, and says what is wrong with it */
+        return RL_OK;
     case CYAML_MAPPING:
         if (node->kind == RL_YAML_MAPPING)
             return check_mapping(c, node, schema->mapping.fields, key);

@@ -7,7 +7,7 @@
  *
  *     FILE:LINE: materials[0].rr: found 'smooth', expected a number
  *
- * and what libcyaml then loads holds what the schema says. Keys are spelled as paths: lights[2].polygon[0].
+ * and what libcyaml then loads holds what the schema says. What the schema ignores is not checked. Keys are spelled as paths: lights[2].polygon[0].
  */
 #ifndef RL_SCENE_YAML_TREE_H
 #define RL_SCENE_YAML_TREE_H

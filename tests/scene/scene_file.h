@@ -29,7 +29,7 @@ static void load_with(struct rl_scene *scene, int first, int last, const char *t
     check_ok(rl_scene_load(scene, path, &error), &error);
 }
 
-static void check_vec3(rl_vec3 actual, double x, double y, double z, double tolerance)
+static inline void check_vec3(rl_vec3 actual, double x, double y, double z, double tolerance)
 {
     check_near(actual.x, x, tolerance);
     check_near(actual.y, y, tolerance);
