@@ -88,11 +88,33 @@ static int take_request(struct request *request, const struct rl_arguments *a, s
     return status;
 }
 
+/* The cd/m^2 that 1 stands for; 0: the picture does not say. PNG holds numbers as text. */
+static double white_of(const struct rl_image *image)
+{
+    const struct rl_attribute *a = rl_image_attribute(image, "whiteLuminance");
+    double white = a ? a->number : 0.0;
+    if (a && a->string && !rl_text_number(a->string, &white))
+        return 0.0;
+    return white;
+}
+
+/* To the seven digits that an EXR file keeps. */
+static int check_white(const struct rl_image *image, const struct rl_image *reference, struct rl_error *error)
+{
+    double a = white_of(image), b = white_of(reference);
+    if (!(a > 0.0) || !(b > 0.0) || fabs(a - b) <= 1e-6 * b)
+        return RL_OK;
+    return rl_fail(error, RL_ERR_INPUT, "found 1 to be %g and %g cd/m2 (whiteLuminance), expected one white",
+                   a, b);
+}
+
 static int compare(const struct rl_image *image, const struct rl_image *reference,
                    const struct request *request, struct rl_error *error)
 {
     struct rl_metrics metrics;
-    int status = rl_metrics_compute(&metrics, image, reference, error);
+    int status = check_white(image, reference, error);
+    if (status == RL_OK)
+        status = rl_metrics_compute(&metrics, image, reference, error);
     if (status != RL_OK)
         return status;
     print_row(&metrics, request->format);
@@ -135,16 +157,18 @@ const struct rl_command rl_command_compare = {
     .min_positionals = 2,
     .max_positionals = 2,
     .summary = "error metrics of an image against a reference",
-    .description = "Prints one row of metrics of e = IMAGE - REFERENCE over the foreground (where both have "
-                   "alpha >= 1/2):\n\n"
-                   "  rmse  sqrt(mean e^2)     mae   mean |e|      max  largest |e|     bias  mean e "
-                   "(brightness gained or lost)\n"
-                   "  relmse  mean(e^2/(reference + 0.01)^2)       psnr_db  peak max(1, largest reference)\n"
-                   "  nonfinite  NaN or infinite values: any fails the comparison (exit 1)\n"
-                   "  pixels  compared         mismatched  covered in one image only, left out\n\n"
-                   "Values are linear light; 8-bit files are decoded from sRGB first.\n\n"
-                   "  roughlight compare a.exr reference.exr\n"
-                   "  roughlight compare a.exr reference.exr --max-rmse 0.004 || echo too far off",
+    .description =
+        "Prints one row of metrics of e = IMAGE - REFERENCE over the foreground (where both have "
+        "alpha >= 1/2):\n\n"
+        "  rmse  sqrt(mean e^2)     mae   mean |e|      max  largest |e|     bias  mean e "
+        "(brightness gained or lost)\n"
+        "  relmse  mean(e^2/(reference + 0.01)^2)       psnr_db  peak max(1, largest reference)\n"
+        "  nonfinite  NaN or infinite values: any fails the comparison (exit 1)\n"
+        "  pixels  compared         mismatched  covered in one image only, left out\n\n"
+        "Values are linear light; 8-bit files are decoded from sRGB first. Of photometric scenes they "
+        "are\nluminance over white: pictures of two whites are refused.\n\n"
+        "  roughlight compare a.exr reference.exr\n"
+        "  roughlight compare a.exr reference.exr --max-rmse 0.004 || echo too far off",
     .options = (const struct rl_option *const[]){options_compare, rl_options_format, NULL},
     .run = run,
 };

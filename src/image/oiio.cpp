@@ -153,6 +153,9 @@ OIIO::ImageSpec specify(const rl_image &image, bool png)
             char text[32];
             std::snprintf(text, sizeof text, "%.17g", a.number);
             spec.attribute(a.name, text);
+        } else if (std::strcmp(a.name, "whiteLuminance") == 0) {
+            /* Of OpenEXR's own attributes, which other programs expect in the type that it says. */
+            spec.attribute(a.name, static_cast<float>(a.number));
         } else {
             spec.attribute(a.name, OIIO::TypeDesc::DOUBLE, &a.number);
         }

@@ -88,6 +88,9 @@ int rl_stamp_image(struct rl_image *image, const struct rl_scene *scene, const s
     text(&stamp, "scene_hash", line);
     materials(&stamp, scene, plan);
     parameters(&stamp, &plan->settings);
+    /* By the name that OpenEXR has for the luminance of R = G = B = 1 (its Standard Attributes). */
+    if (scene->white > 0.0 && stamp.status == RL_OK)
+        stamp.status = rl_image_set_number(image, "whiteLuminance", scene->white, error);
     text(&stamp, "renderer", renderer);
     rl_machine_cpu(line, sizeof line);
     text(&stamp, "cpu", line);

@@ -1,5 +1,6 @@
 /* Writes into an image where it came from, as attributes "roughlight:NAME": version, commit, scene and its hash, every
- * parameter that determines the picture, seed, renderer, CPU, threads, seconds, and the date.
+ * parameter that determines the picture, seed, renderer, CPU, threads, seconds, and the date. Of a photometric scene also
+ * whiteLuminance, the cd/m^2 that 1 stands for.
  */
 #ifndef RL_RESULTS_STAMP_H
 #define RL_RESULTS_STAMP_H

@@ -68,6 +68,7 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
     expect_number(image, "roughlight:rms_error", 0.25);
     expect_number(image, "roughlight:mean_error", 0.125);
     expect_number(image, "roughlight:max_seconds", 10.0);
+    expect_number(image, "whiteLuminance", 3000.0);
     const struct rl_attribute *materials = rl_image_attribute(image, "roughlight:materials");
     assert_non_null(materials);
     assert_non_null(strstr(materials->string, "regular 21, R_r 7"));
@@ -102,6 +103,9 @@ static void test_stamp(void **state)
     s.tolerance = 0x1p-20; /* a number that an EXR's 32-bit float holds exactly */
     check_ok(rl_plan_make(&plan, &scene, &s, &error), &error);
     check_ok(rl_image_allocate(&image, 2, 2, 4, &error), &error);
+    check_ok(rl_stamp_image(&image, &scene, &plan, "a test", 3, 0.5, &error), &error);
+    assert_null(rl_image_attribute(&image, "whiteLuminance")); /* the scene is radiometric */
+    scene.white = 3000.0;
     check_ok(rl_stamp_image(&image, &scene, &plan, "a test", 3, 0.5, &error), &error);
     const struct rl_stamp_accuracy accuracy = {4, 3, 0.5, 0.25, 0.125, 10.0};
     check_ok(rl_stamp_accuracy(&image, &accuracy, &error), &error);
