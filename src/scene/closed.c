@@ -1,7 +1,7 @@
 /* Whether the triangles of a light enclose a body: only then does the word outside mean anything. */
 #include <stdlib.h>
 
-#include "scene/scene_build.h"
+#include "scene/scene.h"
 
 /* Files have a vertex several times, with a normal each, and a sphere's pole as many times as meridians meet there, give or take rounding:
  * what is closer than this part of the light's radius is one vertex. */

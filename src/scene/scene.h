@@ -91,6 +91,10 @@ void rl_scene_clear(struct rl_scene *scene);
 int rl_polygon_make(struct rl_polygon *polygon, const rl_vec3 *vertex, int n, struct rl_error *error);
 void rl_polygon_clear(struct rl_polygon *polygon);
 
+/* Whether the triangles of a mesh light enclose something: each edge belongs to two of them, or four, and so on. Vertices within a millionth
+ * of the light's radius are one. */
+int rl_light_closed(bool *closed, const struct rl_light *light, struct rl_error *error);
+
 /* The light as effects without shape see it. */
 struct rl_point_light rl_light_as_point(const struct rl_light *light);
 

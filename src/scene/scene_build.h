@@ -52,8 +52,6 @@ int rl_build_white(const struct rl_scene_builder *b);
  * RL_ERR_INPUT: no quantity that goes with the kind of light, or more than one; a wrong unit; a value out of range. */
 int rl_build_strength(const struct rl_scene_builder *b, size_t i, enum rl_light_kind kind,
                       const struct rl_light *light, double rgb[3]);
-/* closed.c: whether each edge of a mesh light belongs to two of its triangles (or four, and so on). */
-int rl_light_closed(bool *closed, const struct rl_light *light, struct rl_error *error);
 
 /* placement.c: a vertex goes to linear p + translate, a normal to cofactor n (the inverse transpose, times
  * the determinant, which is positive). */
