@@ -97,7 +97,7 @@ static void test_scenes(void **state)
     (void)state;
     static const char *const names[] = {"teapot-star", "sphere-quad", "two-roughness", "three-lights",
                                         "lamps",       "window",      "metals",        "fur",
-                                        "glass",       "everything"};
+                                        "glass",       "everything",  "office"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         struct rl_scene scene;
         struct rl_error error;

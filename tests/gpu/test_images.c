@@ -2,9 +2,11 @@
  * lights are drawn by `plain`: the other methods are estimates, and have other tests. */
 #include "gpu/against_cpu.h"
 #include "gpu/fixture.h"
+#include "reference/renderer.h"
+#include "scene/irradiance.h"
 
 /* Between them every effect. */
-static const char *const scenes[] = {"lamps", "window", "metals", "fur", "glass"};
+static const char *const scenes[] = {"lamps", "window", "metals", "fur", "glass", "office"};
 enum { N_SCENES = sizeof scenes / sizeof scenes[0], WIDTH = 160, HEIGHT = 120 };
 
 static struct rl_gpu *gpu;
@@ -118,6 +120,32 @@ static void test_lamps(void **state)
     rl_scene_clear(&scene);
 }
 
+/* On the letter of office.yaml a picture times white is what a luminance meter reads: k_d E/pi and the ambient 25 cd/m^2. */
+static void test_cd_per_square_metre(void **state)
+{
+    (void)state;
+    static const int pixels[][2] = {{80, 80}, {75, 75}, {90, 85}};
+    struct rl_scene scene;
+    struct rl_image image;
+    struct rl_error error;
+    load(&scene, "office");
+    assert_int_equal(scene.n_lights + scene.n_sources, 4);
+    fixture_render(&image, gpu, &scene, &scene.settings);
+    for (size_t i = 0; i < sizeof pixels / sizeof pixels[0]; i++) {
+        double rgb[4][3];
+        int x = pixels[i][0], y = pixels[i][1];
+        rl_vec3 d = rl_camera_ray(&scene.camera, WIDTH, HEIGHT, x, y), from = scene.camera.position;
+        rl_vec3 P = v3_madd(from, (0.7501 - from.y) / d.y, d);
+        check_ok(rl_scene_irradiance(rgb, &scene, P, v3(0, 1, 0), &error), &error);
+        for (int c = 0; c < 3; c++) {
+            double E = rgb[0][c] + rgb[1][c] + rgb[2][c] + rgb[3][c];
+            check_relative(200.0 * (double)rl_image_pixel(&image, x, y)[c], 0.85 * E / RL_PI + 25.0, 1e-5);
+        }
+    }
+    rl_image_clear(&image);
+    rl_scene_clear(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -125,6 +153,7 @@ int main(void)
         cmocka_unit_test(test_factors_keep_apart),
         cmocka_unit_test(test_every_effect_has_a_scene),
         cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_cd_per_square_metre),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }
