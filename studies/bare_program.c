@@ -170,7 +170,7 @@ static int make_program(struct rl_bare *b, const struct rl_scene *scene, enum rl
     }
     double matrix[16];
     float single[16];
-    rl_camera_matrix(&scene->camera, b->width, b->height, matrix);
+    rl_camera_matrix(&scene->camera, b->width, b->height, false, matrix);
     for (int i = 0; i < 16; i++)
         single[i] = (float)matrix[i];
     gl->UniformMatrix4fv(gl->GetUniformLocation(b->program, "clip_from_world"), 1, GL_FALSE, single);

@@ -13,11 +13,12 @@ extern const struct rl_command rl_command_render;
 extern const struct rl_command rl_command_integrate;
 extern const struct rl_command rl_command_probe;
 extern const struct rl_command rl_command_compare;
+extern const struct rl_command rl_command_illuminance;
 extern const struct rl_command rl_command_study;
 
 static const struct rl_command *const commands[] = {
-    &rl_command_info,  &rl_command_plan,    &rl_command_render, &rl_command_integrate,
-    &rl_command_probe, &rl_command_compare, &rl_command_study,
+    &rl_command_info,  &rl_command_plan,    &rl_command_render,      &rl_command_integrate,
+    &rl_command_probe, &rl_command_compare, &rl_command_illuminance, &rl_command_study,
 };
 
 enum { N_COMMANDS = sizeof commands / sizeof commands[0] };
@@ -27,7 +28,7 @@ static void print_help(void)
     printf("roughlight: what does an accurate highlight cost, and what can one afford to leave out?\n\n"
            "usage: roughlight COMMAND [ARGUMENTS]\n\ncommands:\n");
     for (size_t i = 0; i < N_COMMANDS; i++)
-        printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
+        printf("  %-11s %s\n", commands[i]->name, commands[i]->summary);
     printf("\n'roughlight COMMAND --help' explains a command, with examples.\n"
            "stdout is data, stderr is talk. Exit: 0 done, 1 a check failed, 2 bad usage or input, 3 some "
            "cases failed,\n"

@@ -198,6 +198,21 @@ bad "compare: errors as PNG" "--error-image: found '.*x.png', expected .*\.exr" 
 bad "compare: errors over an image" "--error-image: found '.*/./good.exr', expected another file" \
     compare "$tmp/good.exr" "$tmp/small.exr" -o "$tmp/./good.exr"
 
+# illuminance
+bad "illuminance without a point" "--at is missing, expected x,y,z" illuminance $scene --normal 0,1,0
+bad "illuminance without a normal" "--normal is missing, expected x,y,z" illuminance $scene --at 0,0,0
+bad "illuminance without a scene" "argument is missing" illuminance --at 0,0,0 --normal 0,1,0
+bad "a point of two numbers" "--at: found '0,0', expected three finite numbers x,y,z" illuminance $scene --at 0,0 --normal 0,1,0
+bad "a normal of no length" "--normal: found the zero vector '0,0,0', expected a direction" illuminance $scene --at 0,0,0 --normal 0,0,0
+bad "a point at a light" "--at: found the place of the light lamp, expected a point away" illuminance studies/scenes/office.yaml \
+    --at -0.55,1.2,-0.45 --normal 0,1,0
+edit unit 's/radiance: .*/flux: 800 cd/'
+bad "wrong unit" "unit.yaml:14: lights\[0\].flux: found '800 cd', expected a luminous flux .* in lm.*cd is the unit of luminous-intensity" \
+    illuminance "$tmp/unit.yaml" --at 0,0,0 --normal 0,1,0
+{ cat "$tmp/good.yaml" && printf '  - {name: bulb, position: [0, 9, 0], flux: 800 lm}\n'; } >"$tmp/mixed.yaml"
+bad "radiometric and photometric lights" "mixed.yaml:15: .*photometric flux of bulb, and in line 14 the radiometric radiance of quad" \
+    render "$tmp/mixed.yaml" -o "$tmp/x.exr"
+
 # integrate
 light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
 bad "integrate without a light" "--light is missing" integrate --view 0,0,1 --rr 3

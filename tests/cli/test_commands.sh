@@ -36,7 +36,7 @@ help_teaches() {
 
 check "help lists the commands" sh -c "'$rl' --help | grep -q integrate"
 check "version" sh -c "'$rl' --version | grep -Eq '^roughlight [0-9]+\.[0-9]+\.[0-9]+ '"
-for command in info plan render integrate probe compare; do
+for command in info plan render integrate probe compare illuminance; do
     check "$command --help has usage, options and an example" help_teaches $command
 done
 verbs="list run status export merge report check"
@@ -105,6 +105,31 @@ check "a full standard output is an error" sh -c "'$rl' info >/dev/full; [ \$? -
 check "plan prints passes" sh -c "'$rl' plan $scene | grep -q highlight"
 check "plan lists meshes and what holds lights" sh -c "test \$('$rl' plan studies/scenes/lamps.yaml | grep -c '^buffer') = 2"
 check "plan prints JSON" sh -c "'$rl' plan $scene --format json | head -c 1 | grep -q '\['"
+
+# Illuminance
+office=studies/scenes/office.yaml
+lux() { "$rl" illuminance $office --at 0,0.75,0 --normal 0,2,0 "$@"; }
+sums_up() { lux | awk -F'\t' 'NR == 1 { ok = $0 == "light\tkind\tred\tgreen\tblue\tvalue\tunit" }
+    NR > 1 && $1 != "total" { sum += $6 } NR > 1 { y = 0.2126 * $3 + 0.7152 * $4 + 0.0722 * $5 - $6; ok = ok && NF == 7 && y * y < 1e-18 && $7 == "lx" }
+    $1 == "total" { ok = ok && $6 > 500 && $6 < 600 && (sum - $6) ^ 2 < 1e-18; rows = NR } END { exit !(ok && rows == 6 && NR == 6) }'; }
+check "illuminance: lights and their sum in lx" sums_up
+check "illuminance prints JSON" sh -c "'$rl' illuminance $office --at 0,0.75,0 --normal 0,1,0 --format json | tr -d '\n ' |
+    grep -Eq '^\[(\{\"light\":\"[a-z-]+\",\"kind\":\"[a-z]+\",\"red\":[0-9.]+,\"green\":[0-9.]+,\"blue\":[0-9.]+,\"value\":[0-9.]+,\"unit\":\"lx\"\},?){5}\]$'"
+check "a radiometric scene: irradiance" sh -c "'$rl' illuminance $scene --at 0,0,0 --normal 0,1,0 | tail -1 | grep -q 'W/m2$'"
+open_mesh() {
+    printf 'v -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\nf 1 2 3 4\n' >"$tmp/sheet.obj"
+    sed 's/polygon: .*/mesh: sheet.obj/' studies/scenes/window.yaml >"$tmp/sheet.yaml"
+    "$rl" illuminance "$tmp/sheet.yaml" --at 0,0,0 --normal 0,1,0 2>"$tmp/err" >"$tmp/rows" &&
+        [ "$(wc -l <"$tmp/rows")" -eq 4 ] && grep -q "warning: the light .* is an open mesh" "$tmp/err"
+}
+check "an open mesh: rows, and a warning" open_mesh
+whites() {
+    sed 's/white: 200/white: 100/' $office >"$tmp/white.yaml"
+    "$rl" render $office --size 64x48 -o "$tmp/200.exr" && "$rl" render "$tmp/white.yaml" --size 64x48 -o "$tmp/100.exr" &&
+        "$rl" compare "$tmp/200.exr" "$tmp/200.exr" && exits 2 "$rl" compare "$tmp/100.exr" "$tmp/200.exr" 2>"$tmp/err" &&
+        grep -q "found 1 to be 100 and 200 cd/m2 (whiteLuminance), expected one white" "$tmp/err"
+}
+check "pictures of two whites do not compare" whites
 
 # Render and compare
 check "random 4" "$rl" render $scene --size 64x48 --method random --samples 4 -o "$tmp/a.exr"
