@@ -139,6 +139,9 @@ static int write_image(struct rl_image *image, const struct drawing *d, const st
     if (status == RL_OK && report.clipped > 0)
         fprintf(stderr, "render: warning: %zu values outside [0, 1] were clipped in %s; .exr keeps them\n",
                 report.clipped, path);
+    if (status == RL_OK && report.clipped > 0 && scene->white > 0.0)
+        fprintf(stderr, "render: 1 is camera.white, %g cd/m2; more would leave room for what is brighter\n",
+                scene->white);
     return status;
 }
 
