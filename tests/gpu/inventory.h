@@ -102,11 +102,12 @@ static inline void inventory_add_lights(struct inventory *list, const struct rl_
 }
 
 static inline void inventory_add_draw(struct inventory *list, const char *pass, size_t object,
-                                      const struct rl_mesh *mesh)
+                                      const struct rl_mesh *mesh, rl_vec3 eye)
 {
     struct item *item = inventory_add(list, "draw: %s of object %zu", pass, object);
     item->frame.draws = 1;
     item->frame.triangles = mesh->n_triangles;
+    item->frame.triangles_culled = rl_mesh_back_faces(mesh, eye);
 }
 
 static inline void inventory_add_objects(struct inventory *list, const struct rl_plan *plan,
@@ -117,11 +118,11 @@ static inline void inventory_add_objects(struct inventory *list, const struct rl
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
         inventory_add(list, "mesh: object %zu", i)->made.bytes_uploaded =
             24 * mesh->n_vertices + 12 * mesh->n_triangles;
-        inventory_add_draw(list, "surface", i, mesh);
+        inventory_add_draw(list, "surface", i, mesh, scene->camera.position);
         if (m->sphere_program >= 0)
-            inventory_add_draw(list, "sphere", i, mesh);
+            inventory_add_draw(list, "sphere", i, mesh, scene->camera.position);
         if (m->highlight_program >= 0)
-            inventory_add_draw(list, "highlight", i, mesh);
+            inventory_add_draw(list, "highlight", i, mesh, scene->camera.position);
     }
 }
 
@@ -129,6 +130,7 @@ static inline void inventory_sum(struct rl_gpu_counters *to, const struct rl_gpu
 {
     to->draws += from->draws;
     to->triangles += from->triangles;
+    to->triangles_culled += from->triangles_culled;
     to->programs += from->programs;
     to->modules += from->modules;
     to->textures += from->textures;
@@ -140,12 +142,13 @@ static inline void inventory_check_counters(const char *what, const struct rl_gp
 {
     if (memcmp(found, expected, sizeof *found) == 0)
         return;
-    print_error("%s: draws %zu, triangles %zu, programs %zu, modules %zu, textures %zu, bytes %zu\nexpected "
-                "%zu, %zu, "
-                "%zu, %zu, %zu, %zu\n",
-                what, found->draws, found->triangles, found->programs, found->modules, found->textures,
-                found->bytes_uploaded, expected->draws, expected->triangles, expected->programs,
-                expected->modules, expected->textures, expected->bytes_uploaded);
+    const struct rl_gpu_counters *both[] = {found, expected};
+    for (int i = 0; i < 2; i++)
+        print_error("%s, %s: draws %zu, triangles %zu, culled %zu, programs %zu, modules %zu, textures %zu, "
+                    "bytes %zu\n",
+                    what, i ? "expected" : "found", both[i]->draws, both[i]->triangles,
+                    both[i]->triangles_culled, both[i]->programs, both[i]->modules, both[i]->textures,
+                    both[i]->bytes_uploaded);
     fail();
 }
 
