@@ -1,5 +1,5 @@
 /* What the camera sees at a pixel's centre, found by Embree on the scene's meshes with the GPU's rules: back faces are culled or, without
- * culling, shaded with -N; the nearest face between the camera's planes wins, normals are interpolated.
+ * culling, shaded with -N; the nearest face between the camera's planes wins, in double precision, normals are interpolated.
  */
 #ifndef RL_REFERENCE_VISIBLE_H
 #define RL_REFERENCE_VISIBLE_H

@@ -128,6 +128,33 @@ static void test_walls(void **state)
     clear(&scene);
 }
 
+/* The CPU renderer tells walls apart that single precision does not, at a distance of 4 and seen aslant. */
+static void test_close_walls(void **state)
+{
+    (void)state;
+    static const double gaps[] = {1e-5, 1e-6, 1e-7, 1e-9};
+    for (size_t k = 0; k < 2 * sizeof gaps / sizeof gaps[0]; k++) {
+        struct rl_object object[OBJECTS] = {{0}};
+        struct rl_scene scene = {.object = object};
+        struct rl_visible *visible;
+        size_t near = k % 2; /* the near wall is the first of the scene, or the second */
+        make_walls(&scene, near ? gaps[k / 2] : -gaps[k / 2]);
+        look(&scene, v3(1.0, 2.0, 3.4), v3(0.0, 0.0, 0.0), 0.1, 30.0);
+        check_ok(rl_visible_make(&visible, &scene, true, &error), &error);
+        size_t wrong = 0;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            struct rl_surface surface;
+            size_t hit = 0;
+            rl_vec3 ray = rl_camera_ray(&scene.camera, WIDTH, HEIGHT, i % WIDTH, i / WIDTH);
+            assert_true(rl_visible_point(&surface, &hit, visible, ray));
+            wrong += hit != near;
+        }
+        assert_int_equal(wrong, 0);
+        rl_visible_free(visible);
+        clear(&scene);
+    }
+}
+
 /* A step is z^2 (f - n)/(f n 2^b): less than half of it apart the walls are one, and the first drawn stays; more than one apart
  * they never are. */
 static void test_coarse_depth(void **state)
@@ -184,6 +211,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_against_rays),
         cmocka_unit_test(test_walls),
+        cmocka_unit_test(test_close_walls),
         cmocka_unit_test(test_coarse_depth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
