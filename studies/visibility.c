@@ -40,10 +40,10 @@ static int plan_depth(struct rl_run *run, const struct rl_place *place, const st
                       int group, struct rl_error *error)
 {
     static const struct {
-        int bits;
         const char *reversed;
+        int bits;
         bool map;
-    } arm[] = {{16, "off", true}, {24, "off", true}, {32, "off", false}, {32, "on", false}};
+    } arm[] = {{"off", 16, true}, {"off", 24, true}, {"off", 32, false}, {"on", 32, false}};
     for (size_t i = 0; i < sizeof arm / sizeof arm[0]; i++)
         if (!rl_run_add(run, place, group, error,
                         "series=depth ratio=%g depth_bits=%d reversed_depth=%s method=none views=%d width=%d "

@@ -1,4 +1,5 @@
 /* Measures what back-face culling saves, and whether a pixel changes (see visibility.h). */
+#include <stdint.h>
 #include <string.h>
 
 #include "scene/mesh.h"
@@ -17,13 +18,21 @@ struct tally {
     size_t pixels, changed, sure, changed_sure;
 };
 
+static bool same_bits(const float a[4], const float b[4])
+{
+    uint32_t p[4], q[4];
+    memcpy(p, a, sizeof p);
+    memcpy(q, b, sizeof q);
+    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2] && p[3] == q[3];
+}
+
 /* Adds what a view's pictures show, and what of it differs in any bit. */
 static void count(struct tally *tally, const struct rl_image *with, const struct rl_image *image,
                   const struct rl_visibility_truth *truth)
 {
     for (size_t i = 0; i < truth->n; i++) {
         const float *p = &with->data[4 * i], *q = &image->data[4 * i];
-        bool changed = memcmp(p, q, 4 * sizeof *p) != 0;
+        bool changed = !same_bits(p, q);
         tally->pixels += p[3] > 0.0f || q[3] > 0.0f;
         tally->changed += changed;
         tally->sure += truth->sure[i];
@@ -74,12 +83,10 @@ static void free_sets(struct rl_bench_scene *set[ARMS], size_t n)
 
 /* Adds one view's pixels to each arm's. */
 static int compare_pictures(struct tally tally[ARMS], struct rl_bench_scene *const set[ARMS], size_t n,
-                            struct rl_bench *bench, struct rl_visibility_truth *truth, struct rl_error *error)
+                            struct rl_bench *bench, const struct rl_visibility_truth *truth,
+                            struct rl_error *error)
 {
-    const struct rl_settings *s = &set[0]->plan.settings;
-    const struct rl_raster_options options = {.width = s->width, .height = s->height, .culling = true};
     struct rl_image with = {0}, image = {0};
-    rl_visibility_truth_find(truth, &set[0]->scene, &options, &bench->spent);
     int status = rl_bench_draw(&with, bench, set[0], error);
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = rl_bench_draw(&image, bench, set[i], error);
@@ -109,12 +116,15 @@ static int measure_pictures(struct rl_record *records, size_t n, struct rl_bench
     struct tally tally[ARMS] = {{0}};
     struct rl_bench_scene *set[ARMS] = {NULL};
     struct rl_visibility_truth truth;
-    size_t pixels = (size_t)(rl_parameter_number(p, "width") * rl_parameter_number(p, "height"));
-    int status = rl_visibility_truth_make(&truth, pixels, error);
+    const struct rl_raster_options options = {.width = (int)rl_parameter_number(p, "width"),
+                                              .height = (int)rl_parameter_number(p, "height"),
+                                              .culling = true};
+    int status = rl_visibility_truth_make(&truth, (size_t)options.width * (size_t)options.height, error);
     for (int v = 0; v < views && status == RL_OK; v++) {
         struct rl_scene view;
         rl_visibility_view(&view, scene, v);
         status = make_sets(set, records, n, bench, &view, error);
+        rl_visibility_truth_find(&truth, &view, &options, &bench->spent);
         if (status == RL_OK)
             status = compare_pictures(tally, set, n, bench, &truth, error);
         for (size_t i = 0; i < n && status == RL_OK && v == 0; i++)

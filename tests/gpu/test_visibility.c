@@ -168,9 +168,9 @@ static void close_surfaces_need_bits(void **state)
         for (size_t k = 0; k < (size_t)WIDTH * HEIGHT; k++)
             right += image.data[4 * k] == 0.5f;
         if (row[i].right)
-            assert_int_equal(right, WIDTH * HEIGHT);
+            assert_int_equal(right, (size_t)WIDTH * HEIGHT);
         else
-            assert_true(right < WIDTH * HEIGHT);
+            assert_true(right < (size_t)WIDTH * HEIGHT);
         rl_image_clear(&image);
         fixture_end(&scene);
     }

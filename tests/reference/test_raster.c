@@ -187,11 +187,11 @@ static void test_coarse_depth(void **state)
             for (int i = 0; i < WIDTH * HEIGHT; i++)
                 right += pixel[i].object == 2;
             if (wide)
-                assert_int_equal(right, WIDTH * HEIGHT);
+                assert_int_equal(right, (size_t)WIDTH * HEIGHT);
             clear(&scene);
             /* Where in a step the walls lie decides of close ones; at a depth of exactly whole steps they would be one. */
             if (!wide && kind[k].bits == 16)
-                assert_true(right == 0 || right == WIDTH * HEIGHT);
+                assert_true(right == 0 || right == (size_t)WIDTH * HEIGHT);
         }
     }
     /* Float near 1 is as fine as 24 bits, reversed it is finer by far. */
