@@ -128,7 +128,7 @@ static int measure(struct rl_record *records, struct arm *arm, size_t n, struct 
         timed[i] = arm[i].set ? (struct rl_timing_arm){records[i].parameters, rl_arms_frame, arm[i].set}
                               : (struct rl_timing_arm){records[i].parameters, rl_bare_frame, arm[i].bare};
     }
-    if (status == RL_OK)
+    if (status == RL_OK && arm[0].set)
         status = add_work(&records[0], arm[0].set, error);
     if (status == RL_OK)
         status = add_pictures(records, arm, n, bench, error);
@@ -138,8 +138,8 @@ static int measure(struct rl_record *records, struct arm *arm, size_t n, struct 
 int rl_bare_measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                     struct rl_error *error)
 {
-    if (n > ARMS_MAX || !is_arm(&records[0], "plan"))
-        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, expected at most %d, the plan's first", n,
+    if (n < 1 || n > ARMS_MAX || !is_arm(&records[0], "plan"))
+        return rl_fail(error, RL_ERR_INPUT, "a group of %zu cases, expected 1 to %d, the plan's first", n,
                        ARMS_MAX);
     struct arm arm[ARMS_MAX] = {{NULL, NULL}};
     struct rl_scene view;

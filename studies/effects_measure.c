@@ -250,8 +250,10 @@ static int add_benefit(struct rl_record *r, const struct rl_image *without, cons
         status = rl_fail(error, RL_ERR_CHECK, "%zu values are not finite", m.nonfinite);
     if (status != RL_OK)
         return status;
-    for (size_t i = 0; i < (size_t)with->width * (size_t)with->height; i++)
-        changed += memcmp(with->data + 4 * i, without->data + 4 * i, 4 * sizeof *with->data) != 0;
+    for (size_t i = 0; i < (size_t)with->width * (size_t)with->height; i++) {
+        const float *a = with->data + 4 * i, *b = without->data + 4 * i;
+        changed += a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
+    }
     status = add_number(r, "rmse", m.rmse, error);
     if (status == RL_OK)
         status = add_number(r, "max", m.max, error);
@@ -355,7 +357,9 @@ int rl_effects_measure(struct rl_record *records, size_t n, struct rl_bench *ben
                        "a group of %zu cases, expected one each of %zu features and one more", n,
                        job.n_features);
     job.arm = calloc(RL_TIMING_ARMS_MAX, sizeof *job.arm);
-    int status = job.arm ? begin(&job, scene, records[0].parameters) : rl_fail_memory(error, "scenes");
+    if (!job.arm)
+        return rl_fail_memory(error, "scenes");
+    int status = begin(&job, scene, records[0].parameters);
     if (status == RL_OK)
         status = time_arms(&timing, &job, (int)rl_parameter_number(records[0].parameters, "rounds"));
     double floor_ms = 0.0;

@@ -205,24 +205,24 @@ static bool suits(struct rl_material *m, const struct rl_feature *f)
 
 void rl_view_host(struct rl_view *view, const struct rl_feature *f)
 {
-    struct rl_material *first = NULL, *host = NULL;
-    for (size_t i = 0; i < view->scene.n_materials; i++) {
-        struct rl_material *m = &view->scene.material[i];
+    size_t n = view->scene.n_materials, first = n, host = n;
+    for (size_t i = 0; i < n; i++) {
         if (!is_worn(&view->scene, i))
             continue;
-        first = first ? first : m;
-        host = !host && suits(m, f) ? m : host;
+        first = first < n ? first : i;
+        host = host == n && suits(&view->scene.material[i], f) ? i : host;
     }
-    host = host ? host : first;
-    if (!host || f->kind == RL_FEATURE_SWITCH)
+    host = host < n ? host : first;
+    if (host == n || f->kind == RL_FEATURE_SWITCH)
         return;
-    clashes(host, roles_of(f), true);
+    struct rl_material *m = &view->scene.material[host];
+    clashes(m, roles_of(f), true);
     if (f->kind == RL_FEATURE_EFFECT) {
-        rl_feature_give(host, f->effect);
+        rl_feature_give(m, f->effect);
         return;
     }
-    host->method = f->method->name;
-    host->rr = host->rr > 0.0 ? host->rr : 30.0;
+    m->method = f->method->name;
+    m->rr = m->rr > 0.0 ? m->rr : 30.0;
     for (int c = 0; c < 3; c++)
-        host->specular[c] = host->specular[c] > 0.0 ? host->specular[c] : 1.0;
+        m->specular[c] = m->specular[c] > 0.0 ? m->specular[c] : 1.0;
 }

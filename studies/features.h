@@ -29,9 +29,9 @@ enum rl_feature_switch { RL_SWITCH_ATTENUATION, RL_SWITCH_SPHERE, RL_SWITCHES };
 
 struct rl_feature {
     const char *name; /* the effect's, the method's; "attenuation", "sphere" */
-    enum rl_feature_kind kind;
     const struct rl_effect *effect;
     const struct rl_method *method;
+    enum rl_feature_kind kind;
     enum rl_feature_switch which;
 };
 

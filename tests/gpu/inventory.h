@@ -75,7 +75,7 @@ static inline void inventory_add_textures(struct inventory *list, const struct r
             struct item *item = inventory_add(list, "environment map: object %zu", i);
             item->made.textures = 1;
             item->made.draws = 6;
-            item->made.triangles = 6 * 2; /* a light of four corners, on six faces */
+            item->made.triangles = 12; /* a light of four corners, on six faces */
         }
 }
 
@@ -90,15 +90,15 @@ static inline void inventory_add_lights(struct inventory *list, const struct rl_
         spheres = spheres || m->sphere_program >= 0;
     }
     if (plan->n_environments > 0)
-        inventory_add(list, "lights: triangles")->made.bytes_uploaded = 6 * 24;
+        inventory_add(list, "lights: triangles")->made.bytes_uploaded = (size_t)6 * 24;
     if (points)
         inventory_add(list, "lights: points")->made.bytes_uploaded = 48;
     if (spheres)
         inventory_add(list, "lights: spheres")->made.bytes_uploaded = 16;
     if (plan->sees & RL_SEES_SOURCES)
-        inventory_add(list, "lights: sources")->made.bytes_uploaded = 2 * 32;
+        inventory_add(list, "lights: sources")->made.bytes_uploaded = (size_t)2 * 32;
     if (plan->sees & RL_SEES_POLYGONS)
-        inventory_add(list, "lights: polygons")->made.bytes_uploaded = 32 + 4 * 16;
+        inventory_add(list, "lights: polygons")->made.bytes_uploaded = 32 + (size_t)4 * 16;
 }
 
 static inline void inventory_add_draw(struct inventory *list, const char *pass, size_t object,
