@@ -26,7 +26,7 @@ static const struct world usual = {0.99, 1.0, 0.87, 0.004, 1e-5, 1.0, 1.0, 0.0};
 
 static void metric(struct rl_record *r, const char *name, double value, double room)
 {
-    check_ok(rl_record_metric_add(r, name, value, value - room, value + room, "1", NULL), NULL);
+    assert_int_equal(rl_record_metric_add(r, name, value, value - room, value + room, "1", NULL), RL_OK);
     r->status = RL_RECORD_OK;
 }
 

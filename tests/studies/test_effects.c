@@ -30,7 +30,7 @@ static const struct world usual = {1.0, 0.0, 1.01, 0.5, 0.45, 0.05, 0.02, 5.0, 1
 
 static void metric(struct rl_record *r, const char *name, double value, double room)
 {
-    check_ok(rl_record_metric_add(r, name, value, value - room, value + room, "1", NULL), NULL);
+    assert_int_equal(rl_record_metric_add(r, name, value, value - room, value + room, "1", NULL), RL_OK);
     r->status = RL_RECORD_OK;
 }
 
