@@ -205,12 +205,6 @@ static void end(struct job *job)
 
 /* ---- Figures ---- */
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, const char *unit,
-               struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, unit, error);
-}
-
 static int add_number(struct rl_record *r, const char *name, double x, struct rl_error *error)
 {
     return rl_record_metric_add(r, name, x, x, x, "1", error);
@@ -228,7 +222,7 @@ static int add_direction(struct rl_record *r, const char *direction, const struc
     char name[RL_NAME_MAX];
     struct rl_interval ms = rl_difference_interval(t->ms[with], t->ms[without], t->n_rounds, 0.95);
     snprintf(name, sizeof name, "%s_ms", direction);
-    int status = add(r, name, ms, "ms", job->error);
+    int status = rl_record_add(r, name, ms, "ms", job->error);
     snprintf(name, sizeof name, "time_%s_clear", direction);
     if (status == RL_OK)
         status = add_number(r, name, ms.low > floor_ms || ms.high < -floor_ms, job->error);
@@ -288,7 +282,8 @@ static int add_sum(struct rl_record *r, const struct job *job, const struct rl_t
             if (job->pair[i].named)
                 sum[k] += t->ms[job->pair[i].bare_with][k] - t->ms[job->pair[i].bare_without][k];
     }
-    int status = add(r, "time_sum", rl_ratio_interval(sum, t->ms[FULL], t->n_rounds, 0.95), "1", job->error);
+    int status =
+        rl_record_add(r, "time_sum", rl_ratio_interval(sum, t->ms[FULL], t->n_rounds, 0.95), "1", job->error);
     free(sum);
     return status;
 }
@@ -298,14 +293,17 @@ static int add_all(struct rl_record *r, const struct job *job, const struct rl_t
     double more = 0.0;
     for (int k = 0; k < WORKS; k++)
         more += fabs(job->arm[ZERO].work[k] - job->arm[FULL].work[k]);
-    int status = add(r, "full_ms", rl_median_interval(t->ms[FULL], t->n_rounds, 0.95), "ms", job->error);
+    int status =
+        rl_record_add(r, "full_ms", rl_median_interval(t->ms[FULL], t->n_rounds, 0.95), "ms", job->error);
     if (status == RL_OK)
-        status = add(r, "bare_ms", rl_median_interval(t->ms[BARE], t->n_rounds, 0.95), "ms", job->error);
+        status =
+            rl_record_add(r, "bare_ms", rl_median_interval(t->ms[BARE], t->n_rounds, 0.95), "ms", job->error);
     if (status == RL_OK)
-        status = add(r, "floor_ms", (struct rl_interval){floor_ms, floor_ms, floor_ms}, "ms", job->error);
+        status = rl_record_add(r, "floor_ms", (struct rl_interval){floor_ms, floor_ms, floor_ms}, "ms",
+                               job->error);
     if (status == RL_OK)
-        status = add(r, "time_zero", rl_ratio_interval(t->ms[ZERO], t->ms[FULL], t->n_rounds, 0.95), "1",
-                     job->error);
+        status = rl_record_add(r, "time_zero", rl_ratio_interval(t->ms[ZERO], t->ms[FULL], t->n_rounds, 0.95),
+                               "1", job->error);
     if (status == RL_OK)
         status = add_number(r, "zero_work", more, job->error);
     if (status == RL_OK)
