@@ -212,18 +212,20 @@ test: all $(TEST_PROGRAMS)
 		$(call test_names,$(TEST_SOURCES) $(TEST_SCRIPTS)))))
 	@BUILD=$(BUILD) ROUGHLIGHT=$(BUILD)/roughlight .ci/run-tests $(TESTS)
 
-# The integrators in short: they have a bench of their own, and the report has four minutes.
+# In short those that make bench measures at length: the report has four minutes.
+benched := accuracy bare
+
 ## Run the studies and make build/report/index.html
 report: all
-	$(BUILD)/roughlight study run $$($(BUILD)/roughlight study list | tail -n +2 | cut -f 1 | grep -vx accuracy) \
+	$(BUILD)/roughlight study run $$($(BUILD)/roughlight study list | tail -n +2 | cut -f 1 | grep -vx $(benched:%=-e %)) \
 		--db $(BUILD)/results.db $(grid)
-	$(BUILD)/roughlight study run accuracy --db $(BUILD)/results.db $(or $(grid),--quick)
+	$(BUILD)/roughlight study run $(benched) --db $(BUILD)/results.db $(or $(grid),--quick)
 	$(BUILD)/roughlight study report --db $(BUILD)/results.db -o $(BUILD)/report
 
 # The commands go to stderr: stdout is the tables, with an empty line between two.
 ## Integrators: time and true error; a plan's frame against bare OpenGL; tables and verdicts on stdout
 bench: all
-	@$(BUILD)/roughlight study run accuracy bare --db $(BUILD)/results.db $(grid)
+	@$(BUILD)/roughlight study run $(benched) --db $(BUILD)/results.db $(grid)
 	@$(BUILD)/roughlight study export --db $(BUILD)/results.db -o $(BUILD)/tables
 	@for table in accuracy_points accuracy_images accuracy_kernel bare; do cat $(BUILD)/tables/$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy" || $$7 == "bare"' $(BUILD)/tables/claims.tsv

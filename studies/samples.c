@@ -24,7 +24,7 @@ struct block {
 struct grid {
     int width, height, seeds; /* seeds: of the floor */
     double tolerance;
-    struct block block[5]; /* one without samples ends the list */
+    struct block block[6]; /* one without samples ends the list */
     int fine_env, floor_env[12], floor_samples;
 };
 
@@ -51,7 +51,8 @@ static const struct grid grids[] = {
                          .block = {{false, {3}, {1, 2, 4, 8, 13, 16, 32, 64, 256}, 64, 16, 0},
                                    {false, {300}, {1, 2, 4, 8, 13, 16, 32, 64}, 64, 32, 0},
                                    {false, {300}, {256}, 64, 16, 0},
-                                   {false, {30}, {1, 2, 3, 4, 5, 8, 13, 16, 32, 64, 256, 1024}, 64, 16, 30},
+                                   {false, {30}, {1, 2, 3, 4, 5, 8, 13, 16, 32, 64, 256}, 64, 16, 30},
+                                   {false, {30}, {1024}, 64, 16, 0}, /* its frames would be most of the time */
                                    {true, {30}, {1, 4, 16, 64, 256}, 64, 16, 0}},
                          .fine_env = 1024,
                          .floor_env = {8, 16, 32, 64, 128, 256, 512, 1024, 2048},
