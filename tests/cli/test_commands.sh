@@ -141,6 +141,11 @@ check "shadows off" "$rl" render $ball --size 64x48 --shadows off -o "$tmp/open.
 check "shadows only darken" sh -c "'$rl' compare '$tmp/shadow.exr' '$tmp/open.exr' |
     awk -F'\t' 'NR == 2 { ok = \$3 > 0.1 && \$4 < -0.005 } END { exit !ok }'"
 check "plan shows shadows" sh -c "'$rl' plan $ball | grep -q '^effect.shadows'"
+check "plan shows depth, stencil and back faces" sh -c "'$rl' plan $scene >'$tmp/plan.tsv' && grep -q '^buffer.depth.24 bits' '$tmp/plan.tsv' &&
+    grep -q '^buffer.stencil' '$tmp/plan.tsv' && grep -q '^culling.back faces' '$tmp/plan.tsv'"
+check "no stencil with point lights alone" sh -c "! '$rl' plan studies/scenes/lamps.yaml | grep -q stencil"
+check "no stencil, 16 bits, backs" sh -c "'$rl' plan $scene --method plain --depth-bits 16 --culling off >'$tmp/plan.tsv' &&
+    grep -q '^buffer.depth.16 bits' '$tmp/plan.tsv' && ! grep -q 'stencil\|^culling' '$tmp/plan.tsv'"
 check "plan shows none when they are off" sh -c "! '$rl' plan $ball --shadows off | grep -q shadows"
 budget() {
     "$rl" render $scene --size 64x48 --method reference --max-seconds "$1" --errors "$tmp/errors.exr" -o "$tmp/budget.exr" 2>&1

@@ -74,14 +74,21 @@ static void test_same_bits(void **state)
     static const char *const methods[] = {NULL, "plain", "regular", "random"};
     for (size_t i = 0; i < sizeof methods / sizeof methods[0]; i++)
         for (int ball = 0; ball < 2; ball++)
-            for (int k = 0; k < 4; k++) {
+            for (int k = 0; k < 6; k++) {
                 struct rl_scene scene;
                 struct rl_settings settings = RL_SETTINGS_DEFAULT;
                 settings.env_size = 64;
                 settings.attenuation = k != 1;
                 settings.margin_kind = k == 2 ? RL_MARGIN_VALUE : RL_MARGIN_OFF;
                 settings.margin = 0.3;
+                settings.culling = k != 4;
                 begin_scene(&scene, methods[i], ball);
+                if (k == 4) /* the floor's back, lit from below */
+                    fixture_camera(&scene, v3(0.0, -2.0, 5.0), v3(0.0, 0.0, 0.0), 30.0);
+                if (k == 5) { /* the floor cut off on both sides, the ball cut open */
+                    scene.camera.near_plane = 4.9;
+                    scene.camera.far_plane = 5.3;
+                }
                 if (k == 3) {
                     memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
                     give(&scene.material[0], "kajiya", 0.4, 0.2);
