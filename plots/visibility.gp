@@ -29,16 +29,16 @@ if (figure eq "wrong" || figure eq "worst") {
 }
 
 if (figure eq "wrong") {
-    lowest = 1e-4
-    positive(x) = x > lowest ? x : lowest
     set title "Pixels that show the wrong surface: " . scene
     set ylabel "share of the pixels"
     set logscale y
     set format y "10^{%L}"
-    set yrange [lowest / 1.5:1.5]
-    plot for [i = 1:n_buffers] data using (is_buffer(i) ? column("ratio") * beside(i) : NaN):(positive(column("wrong"))):(positive(column("wrong_low"))):(positive(column("wrong_high"))) \
+    top = 1.5
+    set yrange [edge_of(1e-4, top):top]
+    plot for [i = 1:n_buffers] data using (is_buffer(i) ? column("ratio") * beside(i) : NaN):(standing(column("wrong"))):(ended(column("wrong_low"))):(ended(column("wrong_high"))) \
             with yerrorbars linetype i dashtype 1 pointsize 1 title buffer[i], \
-        for [i = 1:n_buffers] data using (is_buffer(i) && column("ideal") > 0 ? column("ratio") * beside(i) : NaN):(positive(column("ideal"))) \
+        for [i = 1:n_buffers] data using (is_buffer(i) ? column("ratio") * beside(i) : NaN):(sunk(column("wrong"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:n_buffers] data using (is_buffer(i) && column("ideal") > 0 ? column("ratio") * beside(i) : NaN):(ended(column("ideal"))) \
             with lines linetype i notitle, \
         NaN with lines linetype 2 title "lines: ideal", \
         0.001 with lines linestyle 90 title "1 pixel in 1000"

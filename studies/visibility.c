@@ -138,11 +138,11 @@ static const struct rl_table tables[] = {
 };
 
 static const struct rl_figure figures[] = {
-    {"wrong", "Share of pixels that show a surface behind the right one, by the distance of the far plane "
-              "over that of the "
+    {"wrong", "Share of pixels that show a surface behind the right one, or none, by the distance of the far "
+              "plane over that of the "
               "near one, with 95 % intervals over views. Lines: what an ideal depth buffer of so many bits "
               "gets wrong. "
-              "Marks at the lower edge: none. Grey: one pixel in a thousand."},
+              "Grey: one pixel in a thousand." RL_CAPTION_EDGE},
     {"worst", "How far behind the right surface a wrong one lies at most, in steps of the depth buffer "
               "there, which are "
               "z^2/(near 2^b) of whole numbers. Grey: one step, what an ideal one may be off."},

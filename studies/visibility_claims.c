@@ -61,7 +61,7 @@ static struct rl_interval paired(const struct rl_series *a, const struct rl_seri
         same = same && off[i] == off[0];
     }
     /* One view, or views that all agree, leave no interval. */
-    return same ? (struct rl_interval){off[0], off[0], off[0]} : rl_mean_interval(off, n, 0.95);
+    return same ? rl_exact_interval(off[0]) : rl_mean_interval(off, n, 0.95);
 }
 
 /* How far behind the right surface the farthest wrong one lies. */
@@ -85,18 +85,12 @@ static int claim_steps(const struct rl_judging *j, const double *ratio, size_t n
     return RL_OK;
 }
 
-/* Keeps the farthest off of those with the worst verdict. */
-static void keep_worst(struct rl_claim *c, struct rl_interval off, const char *unit)
+/* Takes one more far/near into a claim that holds where every one does. */
+static void take(struct rl_claim *c, struct rl_interval off, const char *unit, double *worst)
 {
     enum rl_verdict verdict = rl_verdict_equals(off.low, off.high, 0.0, alike);
-    static const int badness[] = {
-        [RL_VERDICT_HOLDS] = 0, [RL_VERDICT_INCONCLUSIVE] = 1, [RL_VERDICT_FAILS] = 2};
-    bool first = isnan(c->value);
-    if (isnan(off.value) || (!first && badness[verdict] < badness[c->verdict]) ||
-        (!first && badness[verdict] == badness[c->verdict] && fabs(off.value) <= fabs(c->value)))
-        return;
-    rl_claim_value(c, off.value, off.low, off.high, unit);
-    c->verdict = verdict;
+    if (rl_judging_worse(c, verdict, fabs(off.value), worst))
+        rl_claim_value(c, off.value, off.low, off.high, unit);
 }
 
 /* Measured shares against those of an ideal depth buffer. */
@@ -107,6 +101,7 @@ static int claim_ideal(const struct rl_judging *j, const double *ratio, size_t n
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "wrong";
+    double worst = NAN;
     for (size_t i = 0; i < n; i++) {
         const struct rl_record *r = find(j, buffer, ratio[i]);
         const struct rl_metric *ideal = r ? rl_record_metric(r, "ideal") : NULL;
@@ -115,7 +110,7 @@ static int claim_ideal(const struct rl_judging *j, const double *ratio, size_t n
         struct rl_interval off =
             paired(rl_record_series(r, "wrong"), rl_record_series(r, "ideal"), ideal->value);
         note(c, "far/near ", ratio[i], off.value);
-        keep_worst(c, off, "of the ideal share");
+        take(c, off, "of the ideal share", &worst);
     }
     if (isnan(c->value))
         snprintf(c->note, sizeof c->note,
@@ -163,6 +158,7 @@ static int claim_float(const struct rl_judging *j, const double *ratio, size_t n
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "wrong";
+    double worst = NAN;
     for (size_t i = 0; i < n; i++) {
         const struct rl_record *whole = find(j, bits_24, ratio[i]), *real = find(j, bits_32, ratio[i]);
         const struct rl_metric *wrong = whole ? rl_record_metric(whole, "wrong") : NULL;
@@ -171,7 +167,7 @@ static int claim_float(const struct rl_judging *j, const double *ratio, size_t n
         struct rl_interval off =
             paired(rl_record_series(real, "wrong"), rl_record_series(whole, "wrong"), wrong->value);
         note(c, "far/near ", ratio[i], off.value);
-        keep_worst(c, off, "of the share with 24 bits");
+        take(c, off, "of the share with 24 bits", &worst);
     }
     if (isnan(c->value))
         snprintf(c->note, sizeof c->note, "24 bits get less than one pixel in 1000 wrong at every far/near");

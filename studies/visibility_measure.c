@@ -132,21 +132,11 @@ static int measure_arm(struct rl_record *r, struct tally *tally, int index,
     return status;
 }
 
-static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x.value, x.low, x.high, "1", error);
-}
-
-static struct rl_interval exactly(double x)
-{
-    return (struct rl_interval){x, x, x};
-}
-
 /* Of a single view the share is what it is. */
 static struct rl_interval share(const double *x, size_t n)
 {
     struct rl_interval mean = rl_mean_interval(x, n, 0.95);
-    return n == 1 ? exactly(x[0])
+    return n == 1 ? rl_exact_interval(x[0])
                   : (struct rl_interval){mean.value, fmax(mean.low, 0.0), fmin(mean.high, 1.0)};
 }
 
@@ -160,13 +150,13 @@ static int add_tally(struct rl_record *r, const struct tally *tally, const doubl
         {"sure", share(sure, views)},
         {"wrong", share(tally->wrong, views)},
         {"ideal", share(tally->ideal, views)},
-        {"worst", exactly(tally->worst)},
-        {"wrong_pixels", exactly((double)tally->wrong_pixels)},
-        {"missing", exactly((double)tally->missing)},
+        {"worst", rl_exact_interval(tally->worst)},
+        {"wrong_pixels", rl_exact_interval((double)tally->wrong_pixels)},
+        {"missing", rl_exact_interval((double)tally->missing)},
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
-        status = add(r, row[i].name, row[i].x, error);
+        status = rl_record_add(r, row[i].name, row[i].x, "1", error);
     if (status == RL_OK)
         status = rl_record_series_add(r, "wrong", tally->wrong, views, error);
     return status == RL_OK ? rl_record_series_add(r, "ideal", tally->ideal, views, error) : status;
