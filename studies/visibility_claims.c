@@ -11,8 +11,11 @@
 /* One pixel in a thousand. */
 static const double few = 1e-3;
 
-/* How far a share may be from what it is held against, relative to that. */
-static const double alike = 0.1;
+/* How far a share may be from what it is held against, relative to that: an ideal depth buffer's, and another format's. */
+static const double alike = 0.1, same_format = 0.2;
+
+/* How many more pixels may be wrong for a near plane that is nearer: few beside what other depth buffers get wrong then. */
+static const double few_more = 5e-3;
 
 /* Shares below this are of a handful of pixels. */
 static const double enough = 1e-3;
@@ -86,9 +89,9 @@ static int claim_steps(const struct rl_judging *j, const double *ratio, size_t n
 }
 
 /* Takes one more far/near into a claim that holds where every one does. */
-static void take(struct rl_claim *c, struct rl_interval off, const char *unit, double *worst)
+static void take(struct rl_claim *c, struct rl_interval off, double margin, const char *unit, double *worst)
 {
-    enum rl_verdict verdict = rl_verdict_equals(off.low, off.high, 0.0, alike);
+    enum rl_verdict verdict = rl_verdict_equals(off.low, off.high, 0.0, margin);
     if (rl_judging_worse(c, verdict, fabs(off.value), worst))
         rl_claim_value(c, off.value, off.low, off.high, unit);
 }
@@ -110,7 +113,7 @@ static int claim_ideal(const struct rl_judging *j, const double *ratio, size_t n
         struct rl_interval off =
             paired(rl_record_series(r, "wrong"), rl_record_series(r, "ideal"), ideal->value);
         note(c, "far/near ", ratio[i], off.value);
-        take(c, off, "of the ideal share", &worst);
+        take(c, off, alike, "of the ideal share", &worst);
     }
     if (isnan(c->value))
         snprintf(c->note, sizeof c->note,
@@ -154,7 +157,7 @@ static int claim_float(const struct rl_judging *j, const double *ratio, size_t n
 {
     struct rl_claim *c =
         rl_judging_claim(j, "ours: 32 bits of float in the usual order get as many pixels wrong as 24 "
-                            "bits do (to within 10 %)");
+                            "bits do (to within 20 %)");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "wrong";
@@ -167,7 +170,7 @@ static int claim_float(const struct rl_judging *j, const double *ratio, size_t n
         struct rl_interval off =
             paired(rl_record_series(real, "wrong"), rl_record_series(whole, "wrong"), wrong->value);
         note(c, "far/near ", ratio[i], off.value);
-        take(c, off, "of the share with 24 bits", &worst);
+        take(c, off, same_format, "of the share with 24 bits", &worst);
     }
     if (isnan(c->value))
         snprintf(c->note, sizeof c->note, "24 bits get less than one pixel in 1000 wrong at every far/near");
@@ -178,7 +181,7 @@ static int claim_reversed(const struct rl_judging *j, const double *ratio, size_
 {
     struct rl_claim *c =
         rl_judging_claim(j, "ours: with 32 bits reversed the near plane may be as near as one likes: at "
-                            "most 1 pixel in 1000 more is wrong");
+                            "most 5 pixels in 1000 more are wrong");
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "wrong";
@@ -188,7 +191,7 @@ static int claim_reversed(const struct rl_judging *j, const double *ratio, size_
         return RL_OK;
     struct rl_interval more = paired(rl_record_series(near, "wrong"), rl_record_series(far, "wrong"), 1.0);
     rl_claim_value(c, more.value, more.low, more.high, "of the pixels");
-    c->verdict = rl_verdict_at_most(more.low, more.high, few);
+    c->verdict = rl_verdict_at_most(more.low, more.high, few_more);
     snprintf(c->note, sizeof c->note, "far/near %g against %g", ratio[n - 1], ratio[0]);
     return RL_OK;
 }
