@@ -37,8 +37,7 @@ static void number_vertices(uint32_t *number, struct place *place, const struct 
 {
     for (size_t i = 0; i < mesh->n_vertices; i++) {
         place[i].vertex = (uint32_t)i;
-        for (int c = 0; c < 3; c++)
-            place[i].at[c] = mesh->position[i][c] + 0.0f; /* -0 is 0 */
+        memcpy(place[i].at, mesh->position[i], sizeof place[i].at);
     }
     qsort(place, mesh->n_vertices, sizeof *place, compare_places);
     uint32_t n = 0;
