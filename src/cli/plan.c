@@ -14,14 +14,25 @@ static void row(struct rl_rows *rows, const char *kind, const char *name, const 
     rl_rows_text(rows, detail);
 }
 
+/* Where the effects of a material are evaluated, unless that is each pixel. */
+static const char *const evaluated[RL_INTERPOLATIONS] = {
+    [RL_INTERPOLATION_PHONG] = "",
+    [RL_INTERPOLATION_GOURAUD] = ", gouraud: at each vertex",
+    [RL_INTERPOLATION_CONSTANT] = ", constant: once a triangle",
+};
+
 static void effect_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
 {
     char detail[512];
     for (size_t i = 0; i < plan->n_materials; i++) {
         const struct rl_plan_material *m = &plan->material[i];
-        snprintf(detail, sizeof detail, "material %s", scene->material[m->material].name);
-        for (size_t j = 0; j < m->n_effects; j++)
+        const char *name = scene->material[m->material].name;
+        for (size_t j = 0; j < m->n_effects; j++) {
+            snprintf(detail, sizeof detail, "material %s%s", name,
+                     m->effect[j]->factor ? "" : evaluated[m->interpolation]);
             row(rows, "effect", m->effect[j]->name, detail);
+        }
+        snprintf(detail, sizeof detail, "material %s", name);
         if (!m->method)
             continue;
         size_t used = strlen(detail);
@@ -138,7 +149,7 @@ static void program_rows(struct rl_rows *rows, const struct rl_scene *scene, con
         users(detail, sizeof detail, scene, plan, (int)i);
         row(rows, "pass", name, detail);
         for (size_t j = 0; j < p->n_modules; j++) {
-            snprintf(detail, sizeof detail, "program %zu", i);
+            snprintf(detail, sizeof detail, "program %zu%s", i, j < p->n_vertex ? ", vertex shader" : "");
             row(rows, "module", p->module[j], detail);
         }
     }

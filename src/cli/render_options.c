@@ -15,6 +15,8 @@ const struct rl_option rl_options_render[] = {
      "highlight method of every material: plain, regular, random, exhaustive, reference (the scene's)"},
     {'n', "samples", "N", "normals a pixel, 1 to 1024 (regular 13, random 4)"},
     {0, "rr", "R", "R_r of every material, > 0; 1 is the roughest the paper allows (the scene's)"},
+    {0, "interpolation", "NAME",
+     "of the effects of every material: phong (normals), gouraud (radiance), constant (the scene's)"},
     {0, "attenuation", "on|off", "geometric attenuation G; off: G = 1 (on)"},
     {0, "frame", "NAME", "tangent frame: orthonormal, printed (orthonormal)"},
     {0, "normal-bits", "B", "bits a component of the normal map: 4 to 16, half, float (8)"},
@@ -139,6 +141,8 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
     int status = take_numbers(s, a, error);
     if (status == RL_OK && (text = rl_argument(a, "method")))
         status = take_method(s, text, error);
+    if (status == RL_OK && (text = rl_argument(a, "interpolation")))
+        status = rl_parse_interpolation(&s->interpolation, text, "--interpolation", error);
     if (status == RL_OK && (text = rl_argument(a, "size")))
         status = take_size(s, text, error);
     if (status == RL_OK && (text = rl_argument(a, "seed")))

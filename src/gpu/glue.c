@@ -1,4 +1,4 @@
-/* Writes the glue of surface programs (see glue.h): rl_effects_shade in GLSL, with just the loops and calls of one material. */
+/* Writes the glue of programs (see glue.h): rl_effects_shade in GLSL, with just the loops and calls of one material. */
 #include "gpu/glue.h"
 
 #include <stdbool.h>
@@ -86,9 +86,14 @@ static void write_effects(FILE *out, const struct rl_plan_material *m)
     fprintf(out, "    return rgb;\n}\n");
 }
 
+static bool has_fused_highlight(const struct rl_plan_material *m)
+{
+    return m->method && m->highlight_program < 0;
+}
+
 static void write_surface(FILE *out, const struct rl_plan_material *m)
 {
-    bool fused = m->method && m->highlight_program < 0;
+    bool fused = has_fused_highlight(m);
     write_effects(out, m);
     if (fused)
         write_factor(out, m);
@@ -96,23 +101,37 @@ static void write_surface(FILE *out, const struct rl_plan_material *m)
             fused ? "highlight(s) * highlight_factor(s)" : "vec3(0.0)");
 }
 
-int rl_glue(char **text, const struct rl_plan_material *m, int program, struct rl_error *error)
+static int write(char **text, void (*part)(FILE *, const struct rl_plan_material *),
+                 const struct rl_plan_material *m, struct rl_error *error)
 {
     size_t size = 0;
-    *text = NULL;
-    if (program != m->surface_program && program != m->highlight_program)
-        return RL_OK;
     FILE *out = open_memstream(text, &size);
     if (!out)
         return rl_fail_memory(error, "a shader");
-    if (program == m->surface_program)
-        write_surface(out, m);
-    else
-        write_factor(out, m);
-    if (fclose(out) != 0) {
-        free(*text);
-        *text = NULL;
-        return rl_fail_memory(error, "a shader");
+    part(out, m);
+    if (fclose(out) == 0)
+        return RL_OK;
+    free(*text);
+    *text = NULL;
+    return rl_fail_memory(error, "a shader");
+}
+
+int rl_glue_make(struct rl_glue *glue, const struct rl_plan_material *m, int program, struct rl_error *error)
+{
+    *glue = (struct rl_glue){0};
+    if (program == m->surface_program && m->interpolation == RL_INTERPOLATION_PHONG)
+        return write(&glue->fragment, write_surface, m, error);
+    if (program == m->surface_program) {
+        int status = write(&glue->vertex, write_effects, m, error);
+        return status == RL_OK && has_fused_highlight(m) ? write(&glue->fragment, write_factor, m, error)
+                                                         : status;
     }
-    return RL_OK;
+    return program == m->highlight_program ? write(&glue->fragment, write_factor, m, error) : RL_OK;
+}
+
+void rl_glue_clear(struct rl_glue *glue)
+{
+    free(glue->vertex);
+    free(glue->fragment);
+    *glue = (struct rl_glue){0};
 }

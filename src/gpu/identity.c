@@ -18,6 +18,7 @@ static int make_program(struct rl_gpu_program *p, const struct rl_gpu_scene *gs,
     struct rl_plan_program program = {.pass = "identity"};
     struct rl_plan plan = *gs->plan;
     rl_plan_add_module(&program, "passes/object_vertex");
+    program.n_vertex = program.n_modules;
     rl_plan_add_module(&program, "passes/identity");
     plan.program = &program;
     plan.n_programs = 1;

@@ -129,14 +129,15 @@ static int assemble_stage(char **text, struct texts *texts, const struct rl_plan
     return status;
 }
 
-/* The first module is the vertex shader's, the others are the fragment shader's. */
 static int assemble(struct texts *texts, const struct rl_plan_program *program, const char *defines,
-                    const char *glue, struct rl_error *error)
+                    const struct rl_glue *glue, struct rl_error *error)
 {
-    int status = assemble_stage(&texts->vertex, texts, program, 0, 1, defines, NULL, error);
-    return status == RL_OK
-               ? assemble_stage(&texts->fragment, texts, program, 1, program->n_modules, defines, glue, error)
-               : status;
+    size_t n = program->n_vertex;
+    int status = assemble_stage(&texts->vertex, texts, program, 0, n, defines, glue->vertex, error);
+    if (status == RL_OK)
+        status = assemble_stage(&texts->fragment, texts, program, n, program->n_modules, defines,
+                                glue->fragment, error);
+    return status;
 }
 
 static int compile_and_link(GLuint *id, struct rl_gl *gl, const struct rl_plan_program *program,
@@ -179,20 +180,38 @@ static int find_or_compile(struct rl_gpu_program *p, struct rl_gpu *gpu,
                : status;
 }
 
+/* OpenGL promises storage blocks to fragment and compute shaders alone. */
+static int check_storage(const struct rl_gl *gl, const struct rl_plan_program *program,
+                         struct rl_error *error)
+{
+    GLint blocks = 0;
+    gl->GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &blocks);
+    for (size_t i = 0; i < program->n_vertex; i++)
+        if (strcmp(program->module[i], "common/polygons") == 0 && blocks < 2)
+            return rl_fail(
+                error, RL_ERR_UNAVAILABLE,
+                "polygon lights by their exact irradiance need 2 storage blocks in vertex shaders, "
+                "this OpenGL has %d, expected the interpolation phong",
+                (int)blocks);
+    return RL_OK;
+}
+
 int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct rl_plan *plan, size_t index,
                     const struct rl_scene *scene, struct rl_error *error)
 {
     const struct rl_plan_program *program = &plan->program[index];
     char *defines = NULL;
-    char *glue = NULL;
+    struct rl_glue glue = {0};
     struct texts texts = {0};
     *p = (struct rl_gpu_program){0};
     p->material = find_material(plan, (int)index);
-    int status = write_defines(&defines, plan, program, scene, error);
-    if (status == RL_OK && p->material)
-        status = rl_glue(&glue, p->material, (int)index, error);
+    int status = check_storage(&gpu->gl, program, error);
     if (status == RL_OK)
-        status = assemble(&texts, program, defines, glue, error);
+        status = write_defines(&defines, plan, program, scene, error);
+    if (status == RL_OK && p->material)
+        status = rl_glue_make(&glue, p->material, (int)index, error);
+    if (status == RL_OK)
+        status = assemble(&texts, program, defines, &glue, error);
     if (status == RL_OK)
         status = find_or_compile(p, gpu, program, &texts, error);
     p->n_modules = texts.n_modules;
@@ -201,7 +220,7 @@ int rl_program_make(struct rl_gpu_program *p, struct rl_gpu *gpu, const struct r
     free(texts.vertex);
     free(texts.fragment);
     free(defines);
-    free(glue);
+    rl_glue_clear(&glue);
     return status;
 }
 

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/hash.h"
+#include "gpu/meshes.h"
 #include "gpu/textures.h"
 
 static GLenum depth_format(const struct rl_plan *plan)
@@ -161,38 +162,6 @@ static void pack_materials(struct rl_gpu_scene *gs)
     }
 }
 
-static int upload_mesh(struct rl_gpu_object *object, struct rl_gpu_scene *gs, const struct rl_mesh *mesh,
-                       struct rl_error *error)
-{
-    struct rl_gl *gl = &gs->gpu->gl;
-    float(*vertex)[2][3] = malloc(mesh->n_vertices * sizeof *vertex);
-    if (!vertex)
-        return rl_fail_memory(error, "vertices");
-    for (size_t i = 0; i < mesh->n_vertices; i++) {
-        memcpy(vertex[i][0], mesh->position[i], sizeof vertex[i][0]);
-        memcpy(vertex[i][1], mesh->normal[i], sizeof vertex[i][1]);
-    }
-    size_t vertex_bytes = mesh->n_vertices * sizeof *vertex;
-    size_t index_bytes = mesh->n_triangles * sizeof *mesh->triangle;
-    gl->GenVertexArrays(1, &object->vertex_array);
-    gl->GenBuffers(1, &object->vertex_buffer);
-    gl->GenBuffers(1, &object->index_buffer);
-    gl->BindVertexArray(object->vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, object->vertex_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertex_bytes, vertex, GL_STATIC_DRAW);
-    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, object->index_buffer);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)index_bytes, mesh->triangle, GL_STATIC_DRAW);
-    for (GLuint i = 0; i < 2; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof *vertex,
-                                (const void *)(i * sizeof vertex[0][0]));
-    }
-    free(vertex);
-    object->n_indices = (GLsizei)(3 * mesh->n_triangles);
-    gs->counters.bytes_uploaded += vertex_bytes + index_bytes;
-    return rl_gl_check(gl, "uploading a mesh", error);
-}
-
 static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error)
 {
     for (size_t i = 0; i < gs->scene->n_objects; i++) {
@@ -208,7 +177,8 @@ static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error)
         object->material = rl_plan_of_object(gs->plan, gs->scene, i);
         object->environment = environment >= 0 ? gs->environment[environment] : 0;
         object->n_back_faces = rl_mesh_back_faces(mesh, gs->scene->camera.position);
-        int status = upload_mesh(object, gs, mesh, error);
+        bool facets = object->material->interpolation == RL_INTERPOLATION_CONSTANT;
+        int status = rl_mesh_upload(object, &gs->gpu->gl, mesh, facets, &gs->counters.bytes_uploaded, error);
         if (status != RL_OK)
             return rl_fail_prefix(error, "object %s",
                                   gs->scene->object[i].name ? gs->scene->object[i].name : "?");

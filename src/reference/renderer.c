@@ -13,6 +13,7 @@
 #include "base/clock.h"
 #include "base/machine.h"
 #include "reference/accuracy.h"
+#include "reference/interpolated.h"
 #include "reference/light_set.h"
 #include "reference/occluders.h"
 #include "reference/texel_map.h"
@@ -40,9 +41,10 @@ struct job {
     struct rl_occluders *occluders; /* NULL: no shadows */
     struct rl_occluders_view *view; /* with occluders: one a thread */
     int n_views;
-    struct rl_lights seen;             /* by effects, and by methods that take points */
-    struct shader *shader;             /* per plan material */
-    struct rl_texel_map **environment; /* per object; NULL: its method needs none */
+    struct rl_lights seen;                /* by effects, and by methods that take points */
+    struct shader *shader;                /* per plan material */
+    struct rl_texel_map **environment;    /* per object; NULL: its method needs none */
+    struct rl_interpolated *interpolated; /* per object */
 };
 
 /* Once over all pixels that are not done. */
@@ -84,6 +86,9 @@ static void job_clear(struct job *job)
     for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
         rl_texel_map_free(job->environment[i]);
     free(job->environment);
+    for (size_t i = 0; i < job->scene->n_objects && job->interpolated; i++)
+        rl_interpolated_clear(&job->interpolated[i]);
+    free(job->interpolated);
 }
 
 static int make_environments(struct job *job, struct rl_error *error)
@@ -97,6 +102,28 @@ static int make_environments(struct job *job, struct rl_error *error)
     return status;
 }
 
+static const struct shader *shader_of(const struct job *job, size_t object)
+{
+    const struct rl_plan_material *m = rl_plan_of_object(job->plan, job->scene, object);
+    return &job->shader[m - job->plan->material];
+}
+
+static int make_interpolated(struct job *job, int threads, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++) {
+        if (!job->plan->object[i].drawn)
+            continue;
+        const struct shader *s = shader_of(job, i);
+        const struct rl_interpolated_shading shading = {
+            s->plan->effect, s->plan->n_effects,          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params,
+            &job->seen,      job->scene->camera.position, !job->plan->settings.culling};
+        status = rl_interpolated_make(&job->interpolated[i], &job->scene->object[i].mesh,
+                                      s->plan->interpolation, &shading, threads, error);
+    }
+    return status;
+}
+
 static int job_make(struct job *job, const struct rl_scene *scene, const struct rl_plan *plan,
                     struct rl_image *image, struct rl_image *errors, int threads, struct rl_error *error)
 {
@@ -107,7 +134,9 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
     job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
     job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
-    if (!job->reached || !job->shader || !job->environment || (plan->settings.shadows && !job->view)) {
+    job->interpolated = calloc(scene->n_objects + 1, sizeof *job->interpolated);
+    if (!job->reached || !job->shader || !job->environment || !job->interpolated ||
+        (plan->settings.shadows && !job->view)) {
         job_clear(job);
         return rl_fail_memory(error, "the CPU renderer");
     }
@@ -120,17 +149,13 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
         status = rl_visible_make(&job->visible, scene, plan->settings.culling, error);
     if (status == RL_OK)
         status = make_environments(job, error);
+    if (status == RL_OK)
+        status = make_interpolated(job, threads, error);
     if (status == RL_OK && plan->settings.shadows)
         status = rl_occluders_make(&job->occluders, scene, job->visible, error);
     if (status != RL_OK)
         job_clear(job);
     return status;
-}
-
-static const struct shader *shader_of(const struct job *job, size_t object)
-{
-    const struct rl_plan_material *m = rl_plan_of_object(job->plan, job->scene, object);
-    return &job->shader[m - job->plan->material];
 }
 
 /* The integral where other objects may hide the lights. A round body's silhouette has more corners than can all be told as breaks:
@@ -199,26 +224,37 @@ static void set_pixel(const struct job *job, int x, int y, const double rgb[3], 
     off[3] = 1.0f;
 }
 
+/* The sum of the effects at the pixel's point, or what its triangle has of it. */
+static void shade(double rgb[3], const struct job *job, const struct shader *s,
+                  const struct rl_surface *surface, const struct rl_visible_hit *hit)
+{
+    if (s->plan->interpolation != RL_INTERPOLATION_PHONG)
+        rl_interpolated_at(rgb, &job->interpolated[hit->object], hit->triangle, hit->weight,
+                           hit->from_behind);
+    else
+        rl_effects_shade(s->plan->effect, s->plan->n_effects,
+                         (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, surface, &job->seen, rgb);
+}
+
 static void draw_pixel(const struct job *job, struct count *count, int x, int y, const struct pass *pass)
 {
     struct rl_accuracy *reached = &job->reached[(size_t)y * (size_t)job->image->width + (size_t)x];
     if (reached->done)
         return;
     struct rl_surface surface;
-    size_t object;
+    struct rl_visible_hit hit;
     rl_vec3 direction = rl_camera_ray(&job->scene->camera, job->image->width, job->image->height, x, y);
-    if (!rl_visible_point(&surface, &object, job->visible, direction)) {
+    if (!rl_visible_point(&surface, &hit, job->visible, direction)) {
         reached->done = true;
         return;
     }
-    const struct shader *s = shader_of(job, object);
+    const struct shader *s = shader_of(job, hit.object);
     struct rl_estimate estimate;
-    highlight(&estimate, count, job, s, &surface, object, pass);
+    highlight(&estimate, count, job, s, &surface, hit.object, pass);
     double wanted = job->plan->settings.tolerance * job->lights->brightest;
     if (rl_accuracy_improve(reached, &estimate, wanted, pass->last)) {
         double rgb[3], error[3], factor[3];
-        rl_effects_shade(s->plan->effect, s->plan->n_effects,
-                         (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, &surface, &job->seen, rgb);
+        shade(rgb, job, s, &surface, &hit);
         rl_effects_factor(s->plan->effect, s->plan->n_effects,
                           (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, &surface, factor);
         for (int c = 0; c < 3; c++) {

@@ -214,8 +214,8 @@ static bool find_triangle(struct point_context *context, const struct rl_visible
     return true;
 }
 
-bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct rl_visible *visible,
-                      rl_vec3 direction)
+bool rl_visible_point(struct rl_surface *surface, struct rl_visible_hit *hit,
+                      const struct rl_visible *visible, rl_vec3 direction)
 {
     struct point_context found;
     if (!find_triangle(&found, visible, direction))
@@ -228,7 +228,10 @@ bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct r
     if (m.from_behind)
         surface->N = v3_scale(-1.0, surface->N);
     surface->V = v3_normalize(v3_sub(found.origin, surface->P));
-    *object = found.object;
+    *hit = (struct rl_visible_hit){.object = found.object,
+                                   .triangle = found.triangle,
+                                   .weight = {1.0 - m.u - m.v, m.u, m.v},
+                                   .from_behind = m.from_behind};
     return true;
 }
 

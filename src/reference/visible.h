@@ -18,10 +18,18 @@ int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, bool 
                     struct rl_error *error);
 void rl_visible_free(struct rl_visible *visible);
 
-/* The surface point on the ray from the camera in this direction (unit) and the object it lies on; false: background. May be
+/* Where a ray met: the object, which of its triangles, and the weights of that one's corners, which sum to 1. */
+struct rl_visible_hit {
+    size_t object, triangle;
+    double weight[3];
+    bool
+        from_behind; /* without culling: the triangle turns its back to the eye, and the point's normal is turned */
+};
+
+/* The surface point on the ray from the camera in this direction (unit) and where it is; false: background. May be
  * called by several threads at once. */
-bool rl_visible_point(struct rl_surface *surface, size_t *object, const struct rl_visible *visible,
-                      rl_vec3 direction);
+bool rl_visible_point(struct rl_surface *surface, struct rl_visible_hit *hit,
+                      const struct rl_visible *visible, rl_vec3 direction);
 
 /* Whether any object but `own` meets the ray from P in direction L (unit) nearer than this distance, from either side. In single
  * precision. */

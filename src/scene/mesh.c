@@ -69,3 +69,11 @@ size_t rl_mesh_back_faces(const struct rl_mesh *mesh, rl_vec3 eye)
     }
     return n;
 }
+
+void rl_mesh_facet(const struct rl_mesh *mesh, size_t triangle, rl_vec3 *centroid, rl_vec3 *normal)
+{
+    const uint32_t *corner = mesh->triangle[triangle];
+    const rl_vec3 a = vertex(mesh, corner[0]), b = vertex(mesh, corner[1]), c = vertex(mesh, corner[2]);
+    *centroid = v3_scale(1.0 / 3.0, v3_add(a, v3_add(b, c)));
+    *normal = v3_normalize(v3_cross(v3_sub(b, a), v3_sub(c, a)));
+}

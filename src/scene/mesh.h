@@ -33,6 +33,10 @@ size_t rl_mesh_back_faces(const struct rl_mesh *mesh, rl_vec3 eye);
  * one position being one. Triangles without area do not count. (mesh_closed.c) */
 int rl_mesh_closed(bool *closed, const struct rl_mesh *mesh, struct rl_error *error);
 
+/* Where a triangle is shaded as a whole: the centroid of its corners and the unit normal of its plane, counter-clockwise seen from its
+ * tip; 0 of one without area. */
+void rl_mesh_facet(const struct rl_mesh *mesh, size_t triangle, rl_vec3 *centroid, rl_vec3 *normal);
+
 /* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms
  * applied. Normals missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no
  * triangles, non-finite vertices, truncated, or a file that assimp crashes on or does not finish: it runs

@@ -27,6 +27,15 @@ static bool plans_effect(const struct rl_plan *plan, const struct rl_plan_materi
                                : rl_effect_given(material, effect) != NULL;
 }
 
+/* Whether any effect gives radiance: a factor on the highlight is always the pixel's. */
+static bool has_shading(const struct rl_plan_material *m)
+{
+    for (size_t i = 0; i < m->n_effects; i++)
+        if (!m->effect[i]->factor)
+            return true;
+    return false;
+}
+
 /* What the material itself says, with the settings' overrides. */
 static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan,
                           const struct rl_scene *scene, int index)
@@ -60,6 +69,10 @@ static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan
         m->effect[m->n_effects++] = effect;
         m->sees |= effect->sees & there;
     }
+    if (has_shading(m))
+        m->interpolation = settings->interpolation == RL_INTERPOLATION_OF_MATERIAL
+                               ? material->interpolation
+                               : (enum rl_interpolation)settings->interpolation;
     bool lit = m->sees & RL_SEES_CENTROIDS || (m->method && m->method->needs_point_lights);
     m->n_point_lights = lit ? (int)plan->n_lights : 0;
     if (m->sees & RL_SEES_SOURCES) {

@@ -20,9 +20,8 @@ enum { RL_PLAN_EFFECTS_MAX = RL_MATERIAL_EFFECTS_MAX, RL_PLAN_MODULES_MAX = 32, 
 struct rl_plan_program {
     const char *pass; /* "environment", "surface", "sphere", "highlight" */
     int samples;      /* of the highlight pass, a constant of its shader; else 0 */
-    size_t n_modules;
-    /* The first is the vertex shader, the rest together the fragment shader; the last one of them holds
-     * main(). */
+    /* The first n_vertex are the vertex shader, the rest together the fragment shader; the last of each holds its main(). */
+    size_t n_modules, n_vertex;
     char module[RL_PLAN_MODULES_MAX][RL_PLAN_MODULE_NAME];
 };
 
@@ -34,15 +33,16 @@ struct rl_plan_material {
     int samples;
     size_t n_effects;
     const struct rl_effect *effect[RL_PLAN_EFFECTS_MAX];
-    unsigned sees;             /* enum rl_effect_sees: what of the scene's lights its effects see */
-    int n_point_lights;        /* 0 if nothing of this material asks for them */
-    int n_points, n_parallels; /* point and parallel lights that its effects see */
-    int surface_program;       /* index; base shading, and the highlight too if the method takes no samples */
-    int highlight_program;     /* index or -1: the sampled highlight's own pass */
-    int sphere_program;        /* index or -1: the bounding-sphere stencil */
-    int normal_map;            /* index or -1 */
-    int pattern;               /* index or -1 */
-    double margin;             /* of the spheres, >= 0; with sphere_program */
+    enum rl_interpolation interpolation; /* phong where no effect is there to be interpolated */
+    unsigned sees;                       /* enum rl_effect_sees: what of the scene's lights its effects see */
+    int n_point_lights;                  /* 0 if nothing of this material asks for them */
+    int n_points, n_parallels;           /* point and parallel lights that its effects see */
+    int surface_program;   /* index; base shading, and the highlight too if the method takes no samples */
+    int highlight_program; /* index or -1: the sampled highlight's own pass */
+    int sphere_program;    /* index or -1: the bounding-sphere stencil */
+    int normal_map;        /* index or -1 */
+    int pattern;           /* index or -1 */
+    double margin;         /* of the spheres, >= 0; with sphere_program */
 };
 
 /* A normal map is shared by all materials of one R_r, a pattern by all of one R_r and sample count. */
@@ -98,7 +98,7 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
                  struct rl_error *error);
 void rl_plan_clear(struct rl_plan *plan);
 
-/* Adds a module where the program does not have it yet; all that an effect with these values needs, itself the last. */
+/* Adds a module where the stage that is being put together does not have it yet (n_vertex is 0 until the vertex shader is complete); all that an effect with these values needs, itself the last. */
 void rl_plan_add_module(struct rl_plan_program *program, const char *module);
 void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value);
 

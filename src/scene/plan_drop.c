@@ -82,6 +82,18 @@ static bool behind(const struct body *body, const struct rl_object *object, bool
     return true;
 }
 
+/* The same of triangles that are shaded as a whole: the normals of their planes are no means of those at their corners. */
+static bool behind_facets(const struct body *body, const struct rl_mesh *mesh)
+{
+    for (size_t t = 0; t < mesh->n_triangles; t++) {
+        rl_vec3 P, N;
+        rl_mesh_facet(mesh, t, &P, &N);
+        if (!below(body, P, N, SLACK))
+            return false;
+    }
+    return true;
+}
+
 static bool dark(const double strength[3])
 {
     return !(strength[0] > 0.0) && !(strength[1] > 0.0) && !(strength[2] > 0.0);
@@ -124,7 +136,9 @@ static bool unseen(const struct rl_plan *plan, const struct rl_scene *scene, siz
         return true;
     /* A surface that is seen from both sides has no light behind it. */
     return plan->settings.culling && !looks_below(plan, m, sees) &&
-           behind(body, &scene->object[object], map, plan->settings.env_size);
+           behind(body, &scene->object[object], map, plan->settings.env_size) &&
+           (m->interpolation != RL_INTERPOLATION_CONSTANT ||
+            behind_facets(body, &scene->object[object].mesh));
 }
 
 static bool unseen_by_all(const struct rl_plan *plan, const struct rl_scene *scene, const struct body *body,

@@ -13,18 +13,30 @@ static void add_module(struct rl_plan_program *program, const char *folder, cons
 
 void rl_plan_add_module(struct rl_plan_program *program, const char *module)
 {
-    for (size_t i = 0; i < program->n_modules; i++)
+    for (size_t i = program->n_vertex; i < program->n_modules; i++)
         if (strcmp(program->module[i], module) == 0)
             return;
     snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "%s", module);
 }
 
-/* What every program over objects begins with. */
-static void add_object_modules(struct rl_plan_program *program, const struct rl_plan *plan)
+/* The last module, which holds main(), of the vertex shader. */
+static void end_vertex_shader(struct rl_plan_program *program, const char *name)
 {
-    add_module(program, "passes", "object_vertex");
+    add_module(program, "passes", name);
+    program->n_vertex = program->n_modules;
+}
+
+static void add_visible_modules(struct rl_plan_program *program, const struct rl_plan *plan)
+{
     add_module(program, "common", "surface");
     add_module(program, "common", plan->settings.culling ? "visible" : "visible_both");
+}
+
+/* What every program begins with that shades each pixel of an object. */
+static void add_object_modules(struct rl_plan_program *program, const struct rl_plan *plan)
+{
+    end_vertex_shader(program, "object_vertex");
+    add_visible_modules(program, plan);
 }
 
 void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect *effect, const double *value)
@@ -44,7 +56,7 @@ void rl_plan_add_effect(struct rl_plan_program *program, const struct rl_effect 
 /* The last module names the pass, so equal modules are of one pass. */
 static bool same_program(const struct rl_plan_program *a, const struct rl_plan_program *b)
 {
-    if (a->n_modules != b->n_modules || a->samples != b->samples)
+    if (a->n_modules != b->n_modules || a->n_vertex != b->n_vertex || a->samples != b->samples)
         return false;
     for (size_t i = 0; i < a->n_modules; i++)
         if (strcmp(a->module[i], b->module[i]) != 0)
@@ -78,27 +90,67 @@ static void add_effects(struct rl_plan_program *program, const struct rl_scene *
                                rl_effect_given(&scene->material[m->material], m->effect[i]));
 }
 
+/* The effects that give radiance, and the lights that they see. */
+static void add_shading(struct rl_plan_program *program, const struct rl_scene *scene,
+                        const struct rl_plan_material *m, bool point_lights)
+{
+    if (point_lights)
+        add_module(program, "common", "lights");
+    if (m->sees & (RL_SEES_SOURCES | RL_SEES_CENTROIDS))
+        add_module(program, "common", "incident");
+    if (m->sees & RL_SEES_SOURCES)
+        add_module(program, "common", "sources");
+    if (m->n_points > 0)
+        add_module(program, "common", "point_sources");
+    if (m->n_parallels > 0)
+        add_module(program, "common", "parallel_sources");
+    if (m->sees & RL_SEES_CENTROIDS)
+        add_module(program, "common", "centroids");
+    if (m->sees & RL_SEES_POLYGONS)
+        add_module(program, "common", "polygons");
+    add_effects(program, scene, m, false);
+}
+
+/* By interpolation, and whether back faces are seen too, which have a shading of their own. */
+static const struct {
+    const char *vertex[2], *between[2];
+} interpolated[RL_INTERPOLATIONS] = {
+    [RL_INTERPOLATION_GOURAUD] = {{"gouraud_vertex", "gouraud_vertex_both"},
+                                  {"radiance_smooth", "radiance_smooth_both"}},
+    [RL_INTERPOLATION_CONSTANT] = {{"constant_vertex", "constant_vertex_both"},
+                                   {"radiance_flat", "radiance_flat_both"}},
+};
+
+/* The effects in the vertex shader, and the highlight, if it is drawn together with them, in the fragment shader. */
+static void add_interpolated(struct rl_plan_program *program, const struct rl_plan *plan,
+                             const struct rl_scene *scene, const struct rl_plan_material *m, bool fused)
+{
+    bool both = !plan->settings.culling;
+    add_module(program, "common", "surface");
+    add_shading(program, scene, m, m->sees & RL_SEES_CENTROIDS);
+    end_vertex_shader(program, interpolated[m->interpolation].vertex[both]);
+    add_module(program, "common", interpolated[m->interpolation].between[both]);
+    if (fused) {
+        add_visible_modules(program, plan);
+        if (m->method->needs_point_lights)
+            add_module(program, "common", "lights");
+        add_effects(program, scene, m, true);
+        add_module(program, "methods", m->method->name);
+    }
+    add_module(program, "passes", fused ? "interpolated_highlight" : "interpolated");
+}
+
 static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
                            const struct rl_plan_material *m)
 {
     struct rl_plan_program program = {.pass = "surface"};
     bool fused = m->method && !has_own_pass(m->method);
+    if (m->interpolation != RL_INTERPOLATION_PHONG) {
+        add_interpolated(&program, plan, scene, m, fused);
+        return add_program(plan, &program);
+    }
     add_object_modules(&program, plan);
-    if (m->n_point_lights > 0)
-        add_module(&program, "common", "lights");
-    if (m->sees & (RL_SEES_SOURCES | RL_SEES_CENTROIDS))
-        add_module(&program, "common", "incident");
-    if (m->sees & RL_SEES_SOURCES)
-        add_module(&program, "common", "sources");
-    if (m->n_points > 0)
-        add_module(&program, "common", "point_sources");
-    if (m->n_parallels > 0)
-        add_module(&program, "common", "parallel_sources");
-    if (m->sees & RL_SEES_CENTROIDS)
-        add_module(&program, "common", "centroids");
-    if (m->sees & RL_SEES_POLYGONS)
-        add_module(&program, "common", "polygons");
-    add_effects(&program, scene, m, false);
+    add_shading(&program, scene, m, m->n_point_lights > 0);
     if (fused)
         add_effects(&program, scene, m, true);
     if (fused)
@@ -139,7 +191,7 @@ static int highlight_program(struct rl_plan *plan, const struct rl_scene *scene,
 int rl_plan_environment_program(struct rl_plan *plan)
 {
     struct rl_plan_program program = {.pass = "environment"};
-    add_module(&program, "passes", "environment_vertex");
+    end_vertex_shader(&program, "environment_vertex");
     add_module(&program, "passes", "environment");
     return add_program(plan, &program);
 }

@@ -85,6 +85,7 @@ static int build_material(const struct rl_scene_builder *b, size_t i)
     material->name = strdup(raw->name);
     if (!material->name)
         return rl_fail_memory(b->error, key);
+    material->interpolation = raw->interpolation ? *raw->interpolation : RL_INTERPOLATION_PHONG;
     int status = build_highlight(b, material, raw, key);
     if (status == RL_OK)
         status = build_specular(b, material->specular, raw->specular, key);

@@ -43,6 +43,12 @@ static const cyaml_schema_field_t camera_fields[] = {
     CYAML_FIELD_END,
 };
 
+static const cyaml_strval_t interpolations[] = {
+    {"phong", RL_INTERPOLATION_PHONG},
+    {"gouraud", RL_INTERPOLATION_GOURAUD},
+    {"constant", RL_INTERPOLATION_CONSTANT},
+};
+
 /* Before those of effects, which effect_schema.c appends. */
 static const cyaml_schema_field_t material_fields[] = {
     CYAML_FIELD_STRING_PTR("name", CYAML_FLAG_POINTER, struct rl_raw_material, name, 1, TEXT_MAX),
@@ -50,6 +56,8 @@ static const cyaml_schema_field_t material_fields[] = {
     FIELD_TRIPLE_PTR("specular", struct rl_raw_material, specular),
     CYAML_FIELD_STRING_PTR("highlight", CYAML_FLAG_POINTER | OPTIONAL, struct rl_raw_material, highlight, 1,
                            TEXT_MAX),
+    CYAML_FIELD_ENUM_PTR("interpolation", CYAML_FLAG_STRICT | OPTIONAL, struct rl_raw_material, interpolation,
+                         interpolations, sizeof interpolations / sizeof interpolations[0]),
 };
 
 static const cyaml_strval_t shapes[] = {

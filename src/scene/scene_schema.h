@@ -32,6 +32,7 @@ struct rl_raw_material {
     double *rr;
     double *specular;
     char *highlight;
+    enum rl_interpolation *interpolation;
     /* By row of rl_effects; the parameter itself where the effect has one without a key, else a struct rl_raw_effect. */
     void *effect[RL_MATERIAL_EFFECTS_MAX];
 };

@@ -18,6 +18,17 @@ const char *rl_texel_format_name(enum rl_texel_format format)
     return (unsigned)format < RL_TEXEL_FORMATS ? texel_format_names[format] : "unknown";
 }
 
+static const char *const interpolation_names[RL_INTERPOLATIONS] = {
+    [RL_INTERPOLATION_PHONG] = "phong",
+    [RL_INTERPOLATION_GOURAUD] = "gouraud",
+    [RL_INTERPOLATION_CONSTANT] = "constant",
+};
+
+const char *rl_interpolation_name(enum rl_interpolation interpolation)
+{
+    return (unsigned)interpolation < RL_INTERPOLATIONS ? interpolation_names[interpolation] : "unknown";
+}
+
 void rl_normal_bits_name(char text[16], int bits)
 {
     if (bits == RL_NORMAL_BITS_HALF)
@@ -69,6 +80,10 @@ int rl_settings_check_key(const struct rl_settings *s, const char **key, struct 
     *key = "method";
     if (check_method(s, error) != RL_OK)
         return RL_ERR_INPUT;
+    *key = "interpolation";
+    if (s->interpolation < RL_INTERPOLATION_OF_MATERIAL || s->interpolation >= RL_INTERPOLATIONS)
+        return rl_fail(error, RL_ERR_INPUT, "found kind %d, expected phong, gouraud or constant",
+                       s->interpolation);
     *key = "samples";
     if (s->samples < 0 || s->samples > RL_SAMPLES_MAX)
         return rl_fail(error, RL_ERR_INPUT, "found %d, expected 1 to %d", s->samples, RL_SAMPLES_MAX);
@@ -179,4 +194,14 @@ int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what
             return RL_OK;
         }
     return fail_parse(error, what, text, "orthonormal or printed");
+}
+
+int rl_parse_interpolation(int *interpolation, const char *text, const char *what, struct rl_error *error)
+{
+    for (int i = 0; i < RL_INTERPOLATIONS; i++)
+        if (strcmp(text, interpolation_names[i]) == 0) {
+            *interpolation = i;
+            return RL_OK;
+        }
+    return fail_parse(error, what, text, "phong, gouraud or constant");
 }

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "model/frame.h"
+#include "model/material.h"
 
 /* Texels of the environment map. In the unsigned normalised ones (8, 10 and 16 bits) radiance is divided
  * by the brightest light's, so that nothing clips. */
@@ -35,8 +36,12 @@ enum rl_margin { RL_MARGIN_OFF, RL_MARGIN_AUTO, RL_MARGIN_VALUE };
  * environment map does. The difference is the map's parallax error. */
 enum rl_light_from { RL_LIGHT_FROM_POINT, RL_LIGHT_FROM_OBJECT };
 
+/* No enum rl_interpolation, but what each material says. */
+enum { RL_INTERPOLATION_OF_MATERIAL = -1 };
+
 struct rl_settings {
     const char *method; /* overrides every material's; NULL: as the scene says */
+    int interpolation;  /* overrides every material's; RL_INTERPOLATION_OF_MATERIAL: as the scene says */
     int samples;        /* 1 to 1024; 0: the method's default */
     double rr;          /* overrides every material's R_r; 0: as the scene says */
     int normal_bits;    /* 4..16, RL_NORMAL_BITS_HALF or RL_NORMAL_BITS_FLOAT */
@@ -75,6 +80,7 @@ struct rl_settings {
                           .frame = RL_FRAME_ORTHONORMAL,                                                     \
                           .culling = true,                                                                   \
                           .depth_bits = 24,                                                                  \
+                          .interpolation = RL_INTERPOLATION_OF_MATERIAL,                                     \
                           .tolerance = 1e-5})
 
 /* Checks every range; the message names the option in its command-line spelling, what was found and what
@@ -92,12 +98,15 @@ int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct r
 int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, const char *what,
                     struct rl_error *error);
 int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what, struct rl_error *error);
+int rl_parse_interpolation(int *interpolation, const char *text, const char *what, struct rl_error *error);
 
 /* "plain, regular, random, exhaustive or reference": what a message says was expected. */
 void rl_method_names(char text[], size_t size);
 
 /* "rgba8", "rgb10a2", "r11g11b10f", "rgba16", "rgba16f" or "rgba32f". */
 const char *rl_texel_format_name(enum rl_texel_format format);
+/* "phong", "gouraud" or "constant". */
+const char *rl_interpolation_name(enum rl_interpolation interpolation);
 /* "4" to "16", "half" or "float". */
 void rl_normal_bits_name(char text[16], int bits);
 

@@ -6,7 +6,7 @@
 #include "scene/irradiance.h"
 
 /* Between them every effect. */
-static const char *const scenes[] = {"lamps", "window", "metals", "fur", "glass", "office"};
+static const char *const scenes[] = {"lamps", "window", "metals", "fur", "glass", "office", "facets"};
 enum { N_SCENES = sizeof scenes / sizeof scenes[0], WIDTH = 160, HEIGHT = 120 };
 
 static struct rl_gpu *gpu;
@@ -36,15 +36,45 @@ static void load(struct rl_scene *scene, const char *name)
     scene->height = HEIGHT;
 }
 
+static void check_image(const char *name, int interpolation, bool culling, size_t outliers)
+{
+    struct rl_scene scene;
+    load(&scene, name);
+    scene.settings.culling = culling;
+    scene.settings.interpolation = interpolation;
+    check_against_cpu(name, gpu, &scene, outliers);
+    rl_scene_clear(&scene);
+}
+
 static void test_images(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < N_SCENES; i++) {
-        struct rl_scene scene;
-        load(&scene, scenes[i]);
-        check_against_cpu(scenes[i], gpu, &scene, 40);
-        rl_scene_clear(&scene);
-    }
+    for (size_t i = 0; i < N_SCENES; i++)
+        check_image(scenes[i], RL_INTERPOLATION_OF_MATERIAL, true, 40);
+}
+
+/* Every effect in the vertex shader. */
+static void test_vertices(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < N_SCENES; i++)
+        check_image(scenes[i], RL_INTERPOLATION_GOURAUD, true, 40);
+}
+
+/* Of triangles with one value each every edge is an outline, where more pixels may be off. */
+static void test_facets(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < N_SCENES; i++)
+        check_image(scenes[i], RL_INTERPOLATION_CONSTANT, true, 80);
+}
+
+/* The teapot has no bottom: from below its inside is seen, where back faces are. */
+static void test_both_sides(void **state)
+{
+    (void)state;
+    for (int i = 0; i < RL_INTERPOLATIONS; i++)
+        check_image("lamps", i, false, 40);
 }
 
 /* Glass and gold share the program of the highlight pass, though not of the surface pass: each keeps its own factor. */
@@ -150,6 +180,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_images),
+        cmocka_unit_test(test_vertices),
+        cmocka_unit_test(test_facets),
+        cmocka_unit_test(test_both_sides),
         cmocka_unit_test(test_factors_keep_apart),
         cmocka_unit_test(test_every_effect_has_a_scene),
         cmocka_unit_test(test_lamps),

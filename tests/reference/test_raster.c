@@ -70,12 +70,12 @@ static void test_against_rays(void **state)
             for (int x = 0; x < WIDTH; x++) {
                 const struct rl_raster_pixel *p = &pixel[y * WIDTH + x];
                 struct rl_surface surface;
-                size_t hit = 0;
+                struct rl_visible_hit hit = {0};
                 rl_vec3 ray = rl_camera_ray(&scene.camera, WIDTH, HEIGHT, x, y);
                 bool there = rl_visible_point(&surface, &hit, visible, ray);
                 seen[p->object]++;
-                differ += p->object != (there ? hit + 1 : 0);
-                if (p->object == 0 || p->object != hit + 1)
+                differ += p->object != (there ? hit.object + 1 : 0);
+                if (p->object == 0 || p->object != hit.object + 1)
                     continue;
                 double z = v3_dot(v3_sub(surface.P, scene.camera.position), scene.camera.forward);
                 check_near(p->z, z, 1e-6);
@@ -144,10 +144,10 @@ static void test_close_walls(void **state)
         size_t wrong = 0;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             struct rl_surface surface;
-            size_t hit = 0;
+            struct rl_visible_hit hit = {0};
             rl_vec3 ray = rl_camera_ray(&scene.camera, WIDTH, HEIGHT, i % WIDTH, i / WIDTH);
             assert_true(rl_visible_point(&surface, &hit, visible, ray));
-            wrong += hit != near;
+            wrong += hit.object != near;
         }
         assert_int_equal(wrong, 0);
         rl_visible_free(visible);

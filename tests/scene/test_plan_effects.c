@@ -99,12 +99,119 @@ static void test_effects(void **state)
     clear();
 }
 
+static size_t count_modules(int program, const char *module)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < plan.program[program].n_modules; i++)
+        n += strcmp(plan.program[program].module[i], module) == 0;
+    return n;
+}
+
+/* Which modules carry the interpolation out; a material that says nothing links none of the others'. */
+static void test_interpolation(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rl_interpolation interpolation;
+        const char *vertex, *between;
+    } rows[] = {
+        {RL_INTERPOLATION_PHONG, "passes/object_vertex", "common/visible"},
+        {RL_INTERPOLATION_GOURAUD, "passes/gouraud_vertex", "common/radiance_smooth"},
+        {RL_INTERPOLATION_CONSTANT, "passes/constant_vertex", "common/radiance_flat"},
+    };
+    for (size_t i = 0; i < 3; i++)
+        for (int overridden = 0; overridden < 2; overridden++) {
+            load(0, -1, NULL);
+            struct rl_settings settings = scene.settings;
+            if (overridden)
+                settings.interpolation = (int)rows[i].interpolation;
+            else
+                scene.material[0].interpolation = rows[i].interpolation;
+            make(&settings);
+            const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+            const struct rl_plan_program *program = &plan.program[shiny->surface_program];
+            assert_int_equal(shiny->interpolation, rows[i].interpolation);
+            assert_string_equal(program->module[program->n_vertex - 1], rows[i].vertex);
+            for (size_t k = 0; k < 3; k++)
+                assert_int_equal(has_module(shiny->surface_program, rows[k].between), k == i);
+            /* The effect is in one of the stages. */
+            size_t at = 0;
+            while (strcmp(program->module[at], "effects/diffuse") != 0)
+                at++;
+            assert_int_equal(at < program->n_vertex, rows[i].interpolation != RL_INTERPOLATION_PHONG);
+            assert_int_equal(count_modules(shiny->surface_program, "effects/diffuse"), 1);
+            /* The highlight's own pass is each pixel's. */
+            const struct rl_plan_program *highlight = &plan.program[shiny->highlight_program];
+            assert_int_equal(highlight->n_vertex, 1);
+            assert_string_equal(highlight->module[0], "passes/object_vertex");
+            /* `matt` keeps its own: the scene's phong, or what is asked of all. */
+            assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->interpolation,
+                             overridden ? rows[i].interpolation : RL_INTERPOLATION_PHONG);
+            clear();
+        }
+}
+
+/* A highlight that is drawn with the surface stays each pixel's, with its lights and its factor, though vertices see the same lights. */
+static void test_interpolation_and_plain(void **state)
+{
+    (void)state;
+    load(10, 11,
+         "    diffuse: [0.1, 0.2, 0.3]\n    fresnel: {reflectance: [0.1, 0.1, 0.1]}\n    highlight: plain\n"
+         "    interpolation: gouraud");
+    make(&scene.settings);
+    int index = rl_plan_of_object(&plan, &scene, 0)->surface_program;
+    const struct rl_plan_program *program = &plan.program[index];
+    assert_int_equal(count_modules(index, "common/lights"), 2);
+    assert_int_equal(count_modules(index, "effects/fresnel"), 1);
+    assert_string_equal(program->module[program->n_modules - 1], "passes/interpolated_highlight");
+    assert_string_equal(program->module[program->n_modules - 2], "methods/plain");
+    clear();
+    /* With no effect but the factor there is nothing to interpolate. */
+    load(10, 11,
+         "    fresnel: {reflectance: [0.1, 0.1, 0.1]}\n    highlight: plain\n    interpolation: gouraud");
+    make(&scene.settings);
+    const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+    assert_int_equal(shiny->n_effects, 1);
+    assert_int_equal(shiny->interpolation, RL_INTERPOLATION_PHONG);
+    assert_true(has_module(shiny->surface_program, "passes/object_vertex"));
+    clear();
+}
+
+/* One triangle below the horizon of the light by the normals at its corners, not by the normal of its plane: only where the plane's counts
+ * is the light kept. */
+static void test_facets_keep_lights(void **state)
+{
+    (void)state;
+    load(23, 32, "lights:\n  - {name: sun, direction: [0, -1, 0], irradiance: [1, 1, 1]}");
+    for (size_t o = 0; o < scene.n_objects; o++) {
+        const struct rl_mesh *mesh = &scene.object[o].mesh;
+        scene.object[o].material = 0;
+        for (size_t i = 0; i < mesh->n_vertices; i++)
+            memcpy(mesh->normal[i], (float[3]){0.0f, -1.0f, 0.0f}, sizeof mesh->normal[i]);
+    }
+    struct rl_settings settings = scene.settings;
+    make(&settings);
+    assert_int_equal(plan.n_sources, 0);
+    rl_plan_clear(&plan);
+    settings.interpolation = RL_INTERPOLATION_GOURAUD;
+    make(&settings);
+    assert_int_equal(plan.n_sources, 0);
+    rl_plan_clear(&plan);
+    settings.interpolation = RL_INTERPOLATION_CONSTANT;
+    make(&settings);
+    assert_int_equal(plan.n_sources, 1);
+    clear();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sources),
         cmocka_unit_test(test_kinds),
         cmocka_unit_test(test_effects),
+        cmocka_unit_test(test_interpolation),
+        cmocka_unit_test(test_interpolation_and_plain),
+        cmocka_unit_test(test_facets_keep_lights),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

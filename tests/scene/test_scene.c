@@ -62,6 +62,12 @@ static void test_defaults(void **state)
     rl_scene_clear(&s);
     load_with(&s, 11, 11, "    highlight: none");
     assert_null(s.material[0].method);
+    assert_int_equal(s.material[0].interpolation, RL_INTERPOLATION_PHONG);
+    rl_scene_clear(&s);
+    load_with(&s, 11, 13, "    interpolation: gouraud\n  - name: matt\n    interpolation: constant");
+    assert_int_equal(s.material[0].interpolation, RL_INTERPOLATION_GOURAUD);
+    assert_int_equal(s.material[1].interpolation, RL_INTERPOLATION_CONSTANT);
+    assert_int_equal(s.settings.interpolation, RL_INTERPOLATION_OF_MATERIAL);
     rl_scene_clear(&s);
     load_with(&s, 15, 15, "  - shape: disc\n    material: matt\n  - name: ball");
     assert_string_equal(s.object[0].name, "objects[0]");

@@ -16,7 +16,8 @@ static void test_structure(void **state)
     (void)state;
     static const struct wrong table[] = {
         AT(9, "    shine: 30",
-           "materials[0]: found the unknown key 'shine', expected name, rr, specular, highlight, ambient"),
+           "materials[0]: found the unknown key 'shine', expected name, rr, specular, highlight, "
+           "interpolation, ambient"),
         AT(1, "Film: {width: 64, height: 48}", "scene: found the unknown key 'Film', expected film, camera,"),
         AT(34, "  spp: 4", "render: found the unknown key 'spp', expected samples, normal-bits,"),
         AT(3, "  \"po\\nsition\": [0, 1, 5]",

@@ -44,6 +44,8 @@ static void test_effects(void **state)
            "materials[1].goldman.c: found '0', expected either c, or"),
         AT(13, "    lengyel: {diffuse: [0, 0, 0], specular: [0, 0, 0], monochrome: grey}",
            "materials[1].lengyel.monochrome: found 'grey', expected off or on"),
+        AT(13, "    interpolation: flat",
+           "materials[1].interpolation: found 'flat', expected phong, gouraud or constant"),
         /* Two models of one thing. */
         {13, 13, "    diffuse: [1, 1, 1]\n    diffuse-area: [1, 1, 1]", 14,
          "materials[1].diffuse-area: found diffuse and diffuse-area, expected one model of diffuse "},

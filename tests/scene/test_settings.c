@@ -74,6 +74,10 @@ static void test_ranges(void **state)
     check_ok(WITH(depth_bits, 32), &error);
     check_fails(WITH(depth_bits, 8), &error, RL_ERR_INPUT, "--depth-bits: found 8, expected 16, 24 or 32");
     check_fails(WITH(depth_bits, 20), &error, RL_ERR_INPUT, "--depth-bits: found 20");
+    check_ok(WITH(interpolation, RL_INTERPOLATION_CONSTANT), &error);
+    check_fails(WITH(interpolation, RL_INTERPOLATIONS), &error, RL_ERR_INPUT,
+                "--interpolation: found kind 3, expected phong, gouraud or constant");
+    check_fails(WITH(interpolation, -2), &error, RL_ERR_INPUT, "--interpolation: found kind -2");
     check_ok(WITH(tolerance, 1e-12), &error);
     check_fails(WITH(tolerance, 0.0), &error, RL_ERR_INPUT, "--tolerance: found 0, expected 1e-12 to 0.1");
     check_fails(WITH(tolerance, NAN), &error, RL_ERR_INPUT, "--tolerance");
@@ -105,7 +109,15 @@ static void test_names_and_back(void **state)
         check_ok(rl_parse_frame(&frame, rl_frame_name(frames[i]), "x", &error), &error);
         assert_int_equal(frame, frames[i]);
     }
+    for (int i = 0; i < RL_INTERPOLATIONS; i++) {
+        int interpolation = -1;
+        check_ok(rl_parse_interpolation(&interpolation, rl_interpolation_name((enum rl_interpolation)i), "x",
+                                        &error),
+                 &error);
+        assert_int_equal(interpolation, i);
+    }
     assert_string_equal(rl_texel_format_name(RL_TEXEL_FORMATS), "unknown");
+    assert_string_equal(rl_interpolation_name(RL_INTERPOLATIONS), "unknown");
 }
 
 static void test_margin(void **state)
@@ -134,6 +146,9 @@ static void test_misspelt(void **state)
                 "--env-format: found 'rgba64', expected rgba8, rgb10a2,");
     check_fails(rl_parse_frame(&frame, "", NULL, &error), &error, RL_ERR_INPUT,
                 "found '', expected orthonormal");
+    int interpolation;
+    check_fails(rl_parse_interpolation(&interpolation, "flat", "--interpolation", &error), &error,
+                RL_ERR_INPUT, "--interpolation: found 'flat', expected phong, gouraud or constant");
     static const char *const no_bits[] = {"", "3", "17", "8.5", "8bit", "Half", "-16"};
     for (size_t i = 0; i < sizeof no_bits / sizeof no_bits[0]; i++)
         check_fails(rl_parse_normal_bits(&bits, no_bits[i], "--normal-bits", &error), &error, RL_ERR_INPUT,

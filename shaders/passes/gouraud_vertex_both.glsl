@@ -1,0 +1,23 @@
+// The same as gouraud_vertex where back faces are seen, too: these are shaded with the normal turned round.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+uniform mat4 clip_from_world;
+uniform vec3 eye;
+
+out vec3 world_position;
+out vec3 world_normal;
+out vec3 radiance;
+out vec3 radiance_behind;
+invariant gl_Position;
+
+void main()
+{
+    world_position = position;
+    world_normal = normal;
+    vec3 N = normalize(normal);
+    vec3 V = normalize(eye - position);
+    radiance = shade_effects(Surface(position, N, V));
+    radiance_behind = shade_effects(Surface(position, -N, V));
+    gl_Position = clip_from_world * vec4(position, 1.0);
+}
