@@ -90,6 +90,8 @@ int rl_bench_settings(struct rl_settings *settings, const char *parameters, stru
         status = rl_parse_texel_format(&settings->env_format, text, "env_format", error);
     if (status == RL_OK && rl_parameter(parameters, "frame", text, sizeof text))
         status = rl_parse_frame(&settings->frame, text, "frame", error);
+    if (status == RL_OK && rl_parameter(parameters, "interpolation", text, sizeof text))
+        status = rl_parse_interpolation(&settings->interpolation, text, "interpolation", error);
     if (status == RL_OK && rl_parameter(parameters, "margin", text, sizeof text))
         status = rl_parse_margin(&settings->margin_kind, &settings->margin, text, "margin", error);
     const struct {

@@ -47,8 +47,8 @@ struct rl_bench_scene {
 };
 
 /* Settings that `parameters` name, over the paper's defaults (RL_SETTINGS_DEFAULT; the scene's own render block does not count, so
- * that a case's parameters say all). Keys: method, samples, rr, frame, normal_bits, normal_size, env_size, env_format, margin, width,
- * height, seed, tolerance, culling, depth_bits, reversed_depth. method=none is left to rl_bench_scene_make. */
+ * that a case's parameters say all). Keys: method, interpolation, samples, rr, frame, normal_bits, normal_size, env_size, env_format,
+ * margin, width, height, seed, tolerance, culling, depth_bits, reversed_depth. method=none is left to rl_bench_scene_make. */
 int rl_bench_settings(struct rl_settings *settings, const char *parameters, struct rl_error *error);
 
 /* `scene` must outlive it. method=none takes every material's highlight away. `seed` replaces that of the parameters. */

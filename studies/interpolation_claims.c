@@ -1,0 +1,221 @@
+/* The claims that the study `interpolation` judges. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "studies/interpolation.h"
+#include "studies/judging.h"
+#include "studies/timing_arms.h"
+
+static const char *const objects[] = {"sphere", "teapot"};
+enum { OBJECTS = 2 };
+
+/* A claim of one object, whose name takes the place of %s, shown by a figure of `figure` and the object. */
+static struct rl_claim *begin(const struct rl_judging *j, const char *object, const char *before,
+                              const char *after, const char *figure)
+{
+    char text[256];
+    snprintf(text, sizeof text, "%s%s%s", before, object, after);
+    struct rl_claim *c = rl_judging_claim(j, text);
+    if (c)
+        c->figure = figure;
+    return c;
+}
+
+static void note(struct rl_claim *c, const char *what, double value)
+{
+    size_t used = strlen(c->note);
+    if (isnan(value))
+        return;
+    snprintf(c->note + used, sizeof c->note - used, "%s%s: %.4g", used ? "; " : "", what, value);
+}
+
+/* ---- Rates ---- */
+
+/* What theory has them be: radiance or normal linear in place of curved, or constant in place of linear. */
+static const struct {
+    const char *interpolation, *before, *after;
+    double power, margin;
+} rates[] = {
+    {"phong", "ours: Phong shading's error falls with the square of the edge (RMSE, ",
+     "; power of h 2 to within 0.2)", 2.0, 0.2},
+    {"gouraud", "ours: Gouraud shading's error falls with the square of the edge (RMSE, ",
+     "; power of h 2 to within 0.2)", 2.0, 0.2},
+    {"constant", "ours: constant shading's error falls with the edge (RMSE, ",
+     "; power of h 1 to within 0.1)", 1.0, 0.1},
+};
+
+static int claim_rates(const struct rl_judging *j, const char *object)
+{
+    for (size_t k = 0; k < sizeof rates / sizeof rates[0]; k++) {
+        struct rl_claim *c = begin(j, object, rates[k].before, rates[k].after, object);
+        if (!c)
+            return RL_ERR_SYSTEM;
+        struct rl_interpolation_rates r =
+            rl_interpolation_rates(j->run, object, "eye", rates[k].interpolation);
+        rl_claim_value(c, r.rate.value, r.rate.low, r.rate.high, "power of h");
+        c->verdict = rl_verdict_equals(c->low, c->high, rates[k].power, rates[k].margin);
+        note(c, "from tessellation", r.from_tessellation);
+        note(c, "terminator in view",
+             rl_interpolation_rates(j->run, object, "side", rates[k].interpolation).rate.value);
+    }
+    return RL_OK;
+}
+
+/* Where N.L changes sign radiance has a corner, within one row of triangles: of its own that would fall with h^1.5. */
+static int claim_terminator(const struct rl_judging *j)
+{
+    struct rl_claim *c =
+        begin(j, "sphere", "ours: a terminator in view slows the fall of Gouraud shading's error (",
+              "; power of h lit from the eye less that lit from the side, above 0)", "sphere");
+    if (!c)
+        return RL_ERR_SYSTEM;
+    struct rl_interval eye = rl_interpolation_rates(j->run, "sphere", "eye", "gouraud").rate;
+    struct rl_interval side = rl_interpolation_rates(j->run, "sphere", "side", "gouraud").rate;
+    rl_claim_value(c, eye.value - side.value, eye.low - side.high, eye.high - side.low, "power of h");
+    c->verdict = rl_verdict_at_least(c->low, c->high, 0.0);
+    note(c, "from the eye", eye.value);
+    note(c, "from the side", side.value);
+    return RL_OK;
+}
+
+/* ---- Triangles ---- */
+
+static const struct {
+    const char *more, *less, *before;
+} triangles[] = {
+    {"gouraud", "phong",
+     "ours: Gouraud shading takes at least three times the triangles of Phong shading for an RMSE of 1/255 "
+     "("},
+    {"constant", "gouraud",
+     "ours: constant shading takes at least three times the triangles of Gouraud shading for an RMSE of "
+     "1/255 ("},
+};
+
+/* Beyond the finest mesh there is no number, only a bound. */
+static int claim_triangles(const struct rl_judging *j, const char *object)
+{
+    for (size_t k = 0; k < sizeof triangles / sizeof triangles[0]; k++) {
+        struct rl_claim *c = begin(j, object, triangles[k].before, ")", object);
+        if (!c)
+            return RL_ERR_SYSTEM;
+        struct rl_interval more = rl_interpolation_rates(j->run, object, "eye", triangles[k].more).triangles;
+        struct rl_interval less = rl_interpolation_rates(j->run, object, "eye", triangles[k].less).triangles;
+        if (isfinite(less.value))
+            rl_claim_value(c, more.value / less.value, more.low / less.high,
+                           less.low > 0.0 ? more.high / less.low : INFINITY, "times the triangles");
+        c->verdict = rl_verdict_at_least(c->low, c->high, 3.0);
+        note(c, triangles[k].more, more.value);
+        note(c, triangles[k].less, less.value);
+    }
+    return RL_OK;
+}
+
+/* ---- Bands ---- */
+
+static const struct rl_metric *on_line(const struct rl_judging *j, const char *object, const char *surface,
+                                       const char *interpolation, const char *metric)
+{
+    char pattern[160];
+    snprintf(pattern, sizeof pattern, "series=bands object=%s surface=%s interpolation=%s", object, surface,
+             interpolation);
+    return rl_judging_metric(j, pattern, metric);
+}
+
+static int claim_step(const struct rl_judging *j, const char *object, const char *figure)
+{
+    struct rl_claim *c =
+        begin(j, object, "ours: constant shading steps from triangle to triangle by more than 1/255 (", ")",
+              figure);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *step = on_line(j, object, "mesh", "constant", "step");
+    if (step)
+        rl_claim_value(c, step->value, step->low, step->high, "of full scale");
+    c->verdict = rl_verdict_at_least(c->low, c->high, RL_STEP_OF_8_BITS);
+    return RL_OK;
+}
+
+/* The largest change of slope from one pixel to the next, over that of the surface itself. */
+static int claim_bends(const struct rl_judging *j, const char *object, const char *figure, bool gouraud)
+{
+    static const char *const before[] = {"ours: Phong shading leaves no Mach bands: its slope changes from "
+                                         "pixel to pixel by at most twice as much as "
+                                         "the surface's own (",
+                                         "ours: Gouraud shading makes Mach bands: its slope changes from "
+                                         "pixel to pixel by at least five times as much "
+                                         "as the surface's own ("};
+    struct rl_claim *c = begin(j, object, before[gouraud], ")", figure);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    const struct rl_metric *bend = on_line(j, object, "mesh", gouraud ? "gouraud" : "phong", "bend");
+    const struct rl_metric *own = on_line(j, object, "exact", "phong", "bend");
+    if (bend && own) {
+        rl_judging_ratio(c, bend, own, "times");
+        note(c, "the surface's own", own->value);
+    }
+    c->verdict =
+        gouraud ? rl_verdict_at_least(c->low, c->high, 5.0) : rl_verdict_at_most(c->low, c->high, 2.0);
+    return RL_OK;
+}
+
+static int claim_bands(const struct rl_judging *j, const char *object)
+{
+    const char *figure = strcmp(object, "sphere") == 0 ? "bands" : "teapot-bands";
+    int status = claim_step(j, object, figure);
+    if (status == RL_OK)
+        status = claim_bends(j, object, figure, true);
+    return status == RL_OK ? claim_bends(j, object, figure, false) : status;
+}
+
+/* ---- Time ---- */
+
+/* A frame of the sphere with the fewest or the most triangles that were timed, against the same by Phong shading. */
+static int claim_time(const struct rl_judging *j, const char *interpolation, const char *words, bool many)
+{
+    char text[256], pattern[160];
+    double tessellation[RL_AXIS_MAX];
+    snprintf(text, sizeof text,
+             "ours: %s takes no longer than Phong shading (a frame of the sphere, %s triangles timed)", words,
+             many ? "the most" : "the fewest");
+    struct rl_claim *c = rl_judging_claim(j, text);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "time";
+    size_t n = rl_judging_axis(j, "series=time object=sphere arm=frame", "tessellation", tessellation);
+    if (n == 0)
+        return RL_OK;
+    double at = tessellation[many ? n - 1 : 0];
+    snprintf(pattern, sizeof pattern, "series=time object=sphere tessellation=%g interpolation=%s arm=frame",
+             at, interpolation);
+    const struct rl_metric *ratio = rl_judging_metric(j, pattern, "time_to_phong");
+    const struct rl_metric *count = rl_judging_metric(j, pattern, "triangles");
+    snprintf(pattern, sizeof pattern, "series=time object=sphere tessellation=%g arm=again", at);
+    double noise = rl_arms_noise(rl_judging_metric(j, pattern, "time_to_phong"));
+    if (ratio)
+        rl_claim_value(c, ratio->value, ratio->low, ratio->high, "times");
+    c->verdict = rl_arms_at_most(ratio, noise, 1.0);
+    note(c, "triangles", count ? count->value : NAN);
+    note(c, "A/A", noise);
+    return RL_OK;
+}
+
+int rl_interpolation_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error)
+{
+    const struct rl_judging j = {run, RL_NO_SCENE, claims, error};
+    int status = RL_OK;
+    for (int o = 0; o < OBJECTS && status == RL_OK; o++)
+        status = claim_rates(&j, objects[o]);
+    if (status == RL_OK)
+        status = claim_terminator(&j);
+    for (int o = 0; o < OBJECTS && status == RL_OK; o++)
+        status = claim_triangles(&j, objects[o]);
+    for (int o = 0; o < OBJECTS && status == RL_OK; o++)
+        status = claim_bands(&j, objects[o]);
+    for (int many = 0; many < 2 && status == RL_OK; many++) {
+        status = claim_time(&j, "gouraud", "Gouraud shading", many);
+        if (status == RL_OK)
+            status = claim_time(&j, "constant", "constant shading", many);
+    }
+    return status;
+}
