@@ -31,7 +31,7 @@ static void number(struct stamp *stamp, const char *name, double value)
         stamp->status = rl_image_set_number(stamp->image, full, value, stamp->error);
 }
 
-/* "glaze: random 4, R_r 30; ground: none, R_r 10" */
+/* "glaze: random 4, R_r 30; ground: none, R_r 10, gouraud" */
 static void materials(struct stamp *stamp, const struct rl_scene *scene, const struct rl_plan *plan)
 {
     char line[1024] = "";
@@ -44,6 +44,9 @@ static void materials(struct stamp *stamp, const struct rl_scene *scene, const s
             used += (size_t)snprintf(line + used, sizeof line - used, " %d", m->samples);
         if (used < sizeof line)
             used += (size_t)snprintf(line + used, sizeof line - used, ", R_r %.17g", m->rr);
+        if (used < sizeof line && m->interpolation != RL_INTERPOLATION_PHONG)
+            used += (size_t)snprintf(line + used, sizeof line - used, ", %s",
+                                     rl_interpolation_name(m->interpolation));
     }
     text(stamp, "materials", line);
 }

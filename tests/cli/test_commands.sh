@@ -58,6 +58,15 @@ drops() {
 }
 check "plan says what it drops, and why" drops
 
+# Where effects are evaluated
+interpolates() {
+    "$rl" plan studies/scenes/facets.yaml | grep -q "^effect	phong	material gouraud, gouraud: at each vertex$" &&
+        "$rl" plan studies/scenes/facets.yaml | grep -q "^module	passes/gouraud_vertex	program [0-9]*, vertex shader$" &&
+        "$rl" plan studies/scenes/lamps.yaml --interpolation constant --format json | grep -q "constant: once a triangle" &&
+        ! "$rl" plan studies/scenes/lamps.yaml | grep -Eq "gouraud|once a triangle|radiance_|interpolated"
+}
+check "plan says where effects are interpolated, and scenes without that have nothing of it" interpolates
+
 # Rows
 light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
 integrate() { "$rl" integrate --view 0.3,0,1 --rr 30 --light "$light" "$@"; }

@@ -74,7 +74,7 @@ static void test_same_bits(void **state)
     static const char *const methods[] = {NULL, "plain", "regular", "random"};
     for (size_t i = 0; i < sizeof methods / sizeof methods[0]; i++)
         for (int ball = 0; ball < 2; ball++)
-            for (int k = 0; k < 6; k++) {
+            for (int k = 0; k < (i < 2 ? 8 : 6); k++) {
                 struct rl_scene scene;
                 struct rl_settings settings = RL_SETTINGS_DEFAULT;
                 settings.env_size = 64;
@@ -89,6 +89,8 @@ static void test_same_bits(void **state)
                     scene.camera.near_plane = 4.9;
                     scene.camera.far_plane = 5.3;
                 }
+                if (k > 5)
+                    settings.interpolation = k == 6 ? RL_INTERPOLATION_GOURAUD : RL_INTERPOLATION_CONSTANT;
                 if (k == 3) {
                     memset(&scene.material[0].effect, 0, sizeof scene.material[0].effect);
                     give(&scene.material[0], "kajiya", 0.4, 0.2);
@@ -104,7 +106,7 @@ static void test_scenes(void **state)
     (void)state;
     static const char *const names[] = {"teapot-star", "sphere-quad", "two-roughness", "three-lights",
                                         "lamps",       "window",      "metals",        "fur",
-                                        "glass",       "everything",  "office"};
+                                        "glass",       "everything",  "office",        "facets"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         struct rl_scene scene;
         struct rl_error error;

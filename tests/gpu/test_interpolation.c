@@ -312,7 +312,15 @@ static void test_material_or_option(void **state)
     }
 }
 
-/* Vertices are added for triangles with one value each alone, and no more than there are triangles without a last vertex of their own. */
+static size_t count_modules(const struct rl_plan *plan)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < plan->n_programs; i++)
+        n += plan->program[i].n_modules;
+    return n;
+}
+
+/* Both stages' modules are compiled, and no others. Vertices are added for triangles with one value each alone, and no more than there are triangles without a last vertex of their own. */
 static void test_bytes(void **state)
 {
     (void)state;
@@ -327,6 +335,8 @@ static void test_bytes(void **state)
         check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
         check_ok(rl_gpu_scene_make(&gs, gpu, &scene, &plan, &error), &error);
         const struct rl_mesh *mesh = &scene.object[0].mesh;
+        assert_int_equal(rl_gpu_scene_counters(gs).modules, count_modules(&plan));
+        assert_int_equal(rl_gpu_scene_counters(gs).programs, 1);
         size_t light = 48, indices = 12 * mesh->n_triangles;
         size_t vertices = rl_gpu_scene_counters(gs).bytes_uploaded - light - indices;
         if (i == RL_INTERPOLATION_CONSTANT)

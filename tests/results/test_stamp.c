@@ -71,7 +71,7 @@ static void expect_stamp(const struct rl_image *image, const struct rl_scene *sc
     expect_number(image, "whiteLuminance", 3000.0);
     const struct rl_attribute *materials = rl_image_attribute(image, "roughlight:materials");
     assert_non_null(materials);
-    assert_non_null(strstr(materials->string, "regular 21, R_r 7"));
+    assert_non_null(strstr(materials->string, "regular 21, R_r 7, gouraud"));
     assert_non_null(rl_image_attribute(image, "roughlight:cpu"));
     assert_non_null(rl_image_attribute(image, "roughlight:date"));
 }
@@ -99,6 +99,7 @@ static void test_stamp(void **state)
     s.seed = UINT64_C(12345678901234567890);
     s.attenuation = false;
     s.frame = RL_FRAME_PRINTED;
+    s.interpolation = RL_INTERPOLATION_GOURAUD;
     s.light_from = RL_LIGHT_FROM_OBJECT;
     s.tolerance = 0x1p-20; /* a number that an EXR's 32-bit float holds exactly */
     check_ok(rl_plan_make(&plan, &scene, &s, &error), &error);
