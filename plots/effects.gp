@@ -69,7 +69,7 @@ if (figure eq "price") {
     if (small) { set key off }
     set arrow 2 from 1.0 / 255.0, -0.7 to 1.0 / 255.0, ROW_max + 0.7 nohead linestyle 90
     plot data using (lowest):(bar(0)):(lowest):(row(above(column("rmse")))):(bar(-0.3)):(bar(0.3)) with boxxyerror linecolor rgb "#009e73" title "RMSE", \
-        data using (row(above(column("max")))):(bar(0)) with points linetype 4 pointtype 9 pointsize 0.9 title "worst pixel", \
+        data using (row(column("max") > 0 ? above(column("max")) : NaN)):(bar(0)) with points linetype 4 pointtype 9 pointsize 0.9 title "worst pixel", \
         NaN with lines linestyle 90 title "1/255"
     unset multiplot
 }

@@ -1,5 +1,5 @@
-/* The study `effects`: what each effect costs and what it is worth. Every effect of the table, every highlight of the GPU, attenuation and the
- * spheres, one by one: added to a bare scene, removed from a full one. */
+/* The study `effects`: what each effect costs and what it is worth. Every effect of the table, every highlight of the GPU, attenuation, the
+ * spheres and culling, one by one: added to a bare scene, removed from a full one. */
 #include "studies/effects.h"
 
 #include "studies/features.h"
@@ -95,7 +95,7 @@ static const char *const scenes[] = {"everything", NULL};
 
 const struct rl_study rl_study_effects = {
     .name = "effects",
-    .summary = "price and benefit of every effect, highlight method, attenuation and spheres, one by one",
+    .summary = "price and benefit of every effect, highlight, attenuation, spheres and culling, one by one",
     .text = "What does each effect cost, and what is it worth? It is added to the scene without any effect, "
             "and removed from "
             "the scene with all of them: the difference in draws, triangles, bytes, textures, programs, "

@@ -7,7 +7,7 @@
 
 size_t rl_features_list(struct rl_feature feature[RL_FEATURES_MAX])
 {
-    static const char *const switches[RL_SWITCHES] = {"attenuation", "sphere"};
+    static const char *const switches[RL_SWITCHES] = {"attenuation", "sphere", "culling"};
     size_t n = 0;
     for (size_t i = 0; i < rl_n_effects; i++)
         feature[n++] = (struct rl_feature){
@@ -30,7 +30,8 @@ const char *rl_feature_kind_name(enum rl_feature_kind kind)
 
 bool rl_feature_needs_highlight(const struct rl_feature *f)
 {
-    return f->kind == RL_FEATURE_SWITCH || (f->kind == RL_FEATURE_EFFECT && f->effect->factor);
+    return (f->kind == RL_FEATURE_SWITCH && f->which != RL_SWITCH_CULLING) ||
+           (f->kind == RL_FEATURE_EFFECT && f->effect->factor);
 }
 
 static bool is_worn(const struct rl_scene *scene, size_t material)
@@ -112,6 +113,8 @@ static void switch_on(struct rl_settings *settings, const struct rl_settings *fr
 {
     if (which == RL_SWITCH_ATTENUATION)
         settings->attenuation = true;
+    if (which == RL_SWITCH_CULLING)
+        settings->culling = true;
     if (which != RL_SWITCH_SPHERE)
         return;
     bool own = from->margin_kind != RL_MARGIN_OFF;
@@ -146,6 +149,8 @@ void rl_view_remove(struct rl_view *view, const struct rl_feature *f)
         view->settings.attenuation = false;
     if (f->kind == RL_FEATURE_SWITCH && f->which == RL_SWITCH_SPHERE)
         view->settings.margin_kind = RL_MARGIN_OFF;
+    if (f->kind == RL_FEATURE_SWITCH && f->which == RL_SWITCH_CULLING)
+        view->settings.culling = false;
     for (size_t i = 0; i < view->scene.n_materials; i++) {
         struct rl_material *m = &view->scene.material[i];
         if (!has(m, f))

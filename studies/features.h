@@ -24,11 +24,11 @@
 
 enum rl_feature_kind { RL_FEATURE_EFFECT, RL_FEATURE_HIGHLIGHT, RL_FEATURE_SWITCH };
 
-/* Switches are of the highlights' settings: attenuation, and the bounding spheres. */
-enum rl_feature_switch { RL_SWITCH_ATTENUATION, RL_SWITCH_SPHERE, RL_SWITCHES };
+/* Switches are settings: attenuation and the bounding spheres, of highlights; and culling. */
+enum rl_feature_switch { RL_SWITCH_ATTENUATION, RL_SWITCH_SPHERE, RL_SWITCH_CULLING, RL_SWITCHES };
 
 struct rl_feature {
-    const char *name; /* the effect's, the method's; "attenuation", "sphere" */
+    const char *name; /* the effect's, the method's; "attenuation", "sphere", "culling" */
     const struct rl_effect *effect;
     const struct rl_method *method;
     enum rl_feature_kind kind;
@@ -43,7 +43,7 @@ size_t rl_features_list(struct rl_feature feature[RL_FEATURES_MAX]);
 /* "effect", "highlight", "switch" */
 const char *rl_feature_kind_name(enum rl_feature_kind kind);
 
-/* Whether it acts on highlights of shaped lights, and does nothing without: factors and switches. */
+/* Whether it acts on highlights of shaped lights, and does nothing without: factors, and the switches of highlights. */
 bool rl_feature_needs_highlight(const struct rl_feature *feature);
 
 /* Whether some material that an object wears asks for it; always true of switches. */
@@ -58,7 +58,7 @@ struct rl_view {
     struct rl_settings settings;
 };
 
-/* As the scene is, with attenuation and spheres (its own margin, or 0.5). Clear it, also after an error. */
+/* As the scene is, with all switches on (spheres with its own margin, or 0.5). Clear it, also after an error. */
 int rl_view_make(struct rl_view *view, const struct rl_scene *scene, const struct rl_settings *settings,
                  struct rl_error *error);
 int rl_view_copy(struct rl_view *view, const struct rl_view *other, struct rl_error *error);

@@ -70,6 +70,8 @@ static inline void inventory_add_textures(struct inventory *list, const struct r
     for (size_t i = 0; i < plan->n_patterns; i++)
         inventory_add(list, "pattern: R_r %g, %d", plan->pattern[i].rr, plan->pattern[i].samples)
             ->made.bytes_uploaded = 16 * (size_t)plan->pattern[i].samples;
+    if (plan->stencil)
+        inventory_add(list, "stencil buffer");
     for (size_t i = 0; i < scene->n_objects; i++)
         if (plan->environment[i] >= 0) {
             struct item *item = inventory_add(list, "environment map: object %zu", i);
@@ -102,12 +104,14 @@ static inline void inventory_add_lights(struct inventory *list, const struct rl_
 }
 
 static inline void inventory_add_draw(struct inventory *list, const char *pass, size_t object,
-                                      const struct rl_mesh *mesh, rl_vec3 eye)
+                                      const struct rl_plan *plan, const struct rl_scene *scene)
 {
+    const struct rl_mesh *mesh = &scene->object[object].mesh;
     struct item *item = inventory_add(list, "draw: %s of object %zu", pass, object);
     item->frame.draws = 1;
     item->frame.triangles = mesh->n_triangles;
-    item->frame.triangles_culled = rl_mesh_back_faces(mesh, eye);
+    if (plan->settings.culling)
+        item->frame.triangles_culled = rl_mesh_back_faces(mesh, scene->camera.position);
 }
 
 static inline void inventory_add_objects(struct inventory *list, const struct rl_plan *plan,
@@ -118,11 +122,11 @@ static inline void inventory_add_objects(struct inventory *list, const struct rl
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
         inventory_add(list, "mesh: object %zu", i)->made.bytes_uploaded =
             24 * mesh->n_vertices + 12 * mesh->n_triangles;
-        inventory_add_draw(list, "surface", i, mesh, scene->camera.position);
+        inventory_add_draw(list, "surface", i, plan, scene);
         if (m->sphere_program >= 0)
-            inventory_add_draw(list, "sphere", i, mesh, scene->camera.position);
+            inventory_add_draw(list, "sphere", i, plan, scene);
         if (m->highlight_program >= 0)
-            inventory_add_draw(list, "highlight", i, mesh, scene->camera.position);
+            inventory_add_draw(list, "highlight", i, plan, scene);
     }
 }
 
