@@ -39,6 +39,7 @@ static const struct rl_column columns[] = {
     {"draws", RL_COLUMN_VALUE, "draws"},
     {"programs", RL_COLUMN_VALUE, "programs"},
     {"textures", RL_COLUMN_VALUE, "textures"},
+    {"stencil", RL_COLUMN_VALUE, "stencil"},
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
 };
 

@@ -12,7 +12,7 @@ int rl_bare_fits(const struct rl_scene *scene, struct rl_error *error);
 
 /* Arms of a group: the scene, with no effects but diffuse and phong, by its `plan` and by the bare program (bare_program.h) with `uniforms`,
  * with uniforms once `again` (A/A) and with `literals`. Metrics: those of timing_arms.h, time_to_uniforms among them; worst, the largest
- * difference of a pixel from the plan's picture; of the plan also draws, programs and textures. */
+ * difference of a pixel from the plan's picture; of the plan also draws, programs, textures and stencil (buffers). */
 int rl_bare_measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                     struct rl_error *error);
 

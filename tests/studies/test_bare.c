@@ -19,10 +19,10 @@ static const struct rl_place made_up = {"bare", "made-up", "made-up.yaml", 1};
 
 struct world {
     double plan, again, literals, room; /* ratios, and half the width of their intervals */
-    double worst, draws, programs, textures;
+    double worst, draws, programs, textures, stencil;
 };
 
-static const struct world usual = {0.99, 1.0, 0.87, 0.004, 1e-5, 1.0, 1.0, 0.0};
+static const struct world usual = {0.99, 1.0, 0.87, 0.004, 1e-5, 1.0, 1.0, 0.0, 0.0};
 
 static void metric(struct rl_record *r, const char *name, double value, double room)
 {
@@ -50,6 +50,7 @@ static void make(struct rl_run *run, const struct world *w)
             metric(r, "draws", k ? w->draws : 1.0, 0.0);
             metric(r, "programs", k ? w->programs : 1.0, 0.0);
             metric(r, "textures", k ? w->textures : 0.0, 0.0);
+            metric(r, "stencil", k ? w->stencil : 0.0, 0.0);
         }
     }
 }
@@ -75,6 +76,7 @@ static void verdicts_flip(void **state)
         {work, offsetof(struct world, draws), 2.0, RL_VERDICT_FAILS},
         {work, offsetof(struct world, programs), 2.0, RL_VERDICT_FAILS},
         {work, offsetof(struct world, textures), 1.0, RL_VERDICT_FAILS},
+        {work, offsetof(struct world, stencil), 1.0, RL_VERDICT_FAILS},
         {same, offsetof(struct world, worst), 1e-5, RL_VERDICT_HOLDS},
         {same, offsetof(struct world, worst), 1e-3, RL_VERDICT_FAILS},
         {literals, offsetof(struct world, literals), 0.87, RL_VERDICT_FAILS},
