@@ -4,7 +4,7 @@
 
 #include "studies/study.h"
 
-/* The full scene is the scene with attenuation, spheres and culling; the bare one has none of all features (features.h). One case each feature, and
+/* The full scene is the scene with attenuation, spheres and culling; the bare one has none of all features (features.h) but culling. One case each feature, and
  * before them feature=all, which is about the scenes that they are held against.
  *
  * feature=all: full_ms, bare_ms; floor_ms, the most that two arms of the same work may differ by; time_zero, full frame with every

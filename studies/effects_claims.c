@@ -154,10 +154,12 @@ static int claim_dearest(const struct rl_judging *j)
         if (!is_named(r, "effect") || !added || (dearest && added->value <= dearest->value))
             continue;
         dearest = added;
-        snprintf(c->note, sizeof c->note, "of %.40s", feature_of(name, r));
+        feature_of(name, r);
     }
-    if (dearest && random && random->low > 0.0)
+    if (dearest && random && random->low > 0.0) {
         rl_judging_ratio(c, dearest, random, "times");
+        snprintf(c->note, sizeof c->note, "of %.40s", name);
+    }
     c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);
     return RL_OK;
 }

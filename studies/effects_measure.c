@@ -103,10 +103,17 @@ static struct arm *begin_arm(struct job *job, const struct rl_view *view)
     return rl_view_copy(&a->view, view, job->error) == RL_OK ? a : NULL;
 }
 
+/* Culling is of every scene: without it each surface has its back drawn, too, and nothing would cost what it does in the full scene. */
+static bool is_culling(const struct rl_feature *f)
+{
+    return f->kind == RL_FEATURE_SWITCH && f->which == RL_SWITCH_CULLING;
+}
+
 static void remove_all(struct job *job, struct rl_view *view)
 {
     for (size_t i = 0; i < job->n_features; i++)
-        rl_view_remove(view, &job->feature[i]);
+        if (!is_culling(&job->feature[i]))
+            rl_view_remove(view, &job->feature[i]);
 }
 
 /* Every effect that a material does not name, and that does nothing with some values, with these. */
@@ -164,11 +171,16 @@ static int begin_pair(struct job *job, size_t i, const struct rl_view *full)
     if (!(a = begin_arm(job, with)))
         return RL_ERR_SYSTEM;
     rl_view_remove(&a->view, f);
-    p->bare_without = rl_feature_needs_highlight(f) ? SHINY : BARE;
-    p->bare_with = job->n_arms;
-    if (!(a = begin_arm(job, &job->arm[p->bare_without].view)))
+    size_t base = rl_feature_needs_highlight(f) ? SHINY : BARE;
+    bool culling = is_culling(f);
+    p->bare_without = culling ? job->n_arms : base;
+    p->bare_with = culling ? base : job->n_arms;
+    if (!(a = begin_arm(job, &job->arm[base].view)))
         return RL_ERR_SYSTEM;
-    rl_view_add(&a->view, with, f);
+    if (culling)
+        rl_view_remove(&a->view, f);
+    else
+        rl_view_add(&a->view, with, f);
     return RL_OK;
 }
 
@@ -279,7 +291,7 @@ static int add_sum(struct rl_record *r, const struct job *job, const struct rl_t
     for (size_t k = 0; k < t->n_rounds; k++) {
         sum[k] = t->ms[BARE][k];
         for (size_t i = 0; i < job->n_features; i++)
-            if (job->pair[i].named)
+            if (job->pair[i].named && !is_culling(&job->feature[i]))
                 sum[k] += t->ms[job->pair[i].bare_with][k] - t->ms[job->pair[i].bare_without][k];
     }
     int status =
