@@ -7,6 +7,8 @@
 
 #include <cmocka.h>
 
+#include <stdio.h>
+
 #include "studies/points.h"
 
 /* As they were when the study was first run: another generator makes old and new figures incomparable. */
