@@ -8,7 +8,7 @@ static const struct grid {
     int width, height, rounds;
 } grids[] = {
     [RL_GRID_QUICK] = {80, 60, 6},
-    [RL_GRID_DEFAULT] = {400, 300, 30},
+    [RL_GRID_DEFAULT] = {240, 180, 30},
     [RL_GRID_FULL] = {640, 480, 300},
 };
 
