@@ -1,9 +1,11 @@
 /* Whole-file reading and atomic replacement (see files.h). */
 #include "base/files.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,6 +74,37 @@ int rl_file_read(char **data, size_t *size, const char *path, struct rl_error *e
     return RL_OK;
 }
 
+enum { HOST_MAX = 64 };
+
+/* Whose a temporary file is: this machine's, by its name, and this process's, by its number. */
+static void host_name(char host[HOST_MAX])
+{
+    if (gethostname(host, HOST_MAX) != 0)
+        *host = '\0';
+    host[HOST_MAX - 1] = '\0';
+}
+
+/* Removes what writers of the same file left that were killed: temporary files of processes that this machine no longer has. `prefix` is
+ * all of their name before the process. */
+static void remove_orphans(const char *folder, const char *prefix)
+{
+    DIR *dir = opendir(*folder ? folder : ".");
+    if (!dir)
+        return;
+    for (const struct dirent *entry; (entry = readdir(dir));) {
+        size_t n = strlen(prefix);
+        char path[PATH_MAX], *end = NULL;
+        if (strncmp(entry->d_name, prefix, n) != 0)
+            continue;
+        long process = strtol(entry->d_name + n, &end, 10);
+        if (process <= 0 || (*end != '\0' && *end != '.') || kill((pid_t)process, 0) == 0 || errno != ESRCH)
+            continue;
+        if (snprintf(path, sizeof path, "%s%s", folder, entry->d_name) < (int)sizeof path)
+            unlink(path);
+    }
+    closedir(dir);
+}
+
 int rl_file_begin(char temporary[], size_t size, const char *path, struct rl_error *error)
 {
     struct stat info;
@@ -88,10 +121,14 @@ int rl_file_begin(char temporary[], size_t size, const char *path, struct rl_err
         return rl_fail(error, RL_ERR_SYSTEM, "'%s': a file name is expected", path);
     const char *dot = strrchr(base, '.');
     const char *extension = dot ? dot : "";
-    int n =
-        snprintf(temporary, size, "%.*s.%s.%ld%s", (int)(base - path), path, base, (long)getpid(), extension);
+    char host[HOST_MAX], folder[PATH_MAX], prefix[PATH_MAX];
+    host_name(host);
+    snprintf(folder, sizeof folder, "%.*s", (int)(base - path), path);
+    snprintf(prefix, sizeof prefix, ".%s.%s.", base, host);
+    int n = snprintf(temporary, size, "%s%s%ld%s", folder, prefix, (long)getpid(), extension);
     if (n < 0 || (size_t)n >= size)
         return rl_fail(error, RL_ERR_SYSTEM, "%s: name too long", path);
+    remove_orphans(folder, prefix);
     /* Creating it now finds an unwritable folder before any long work. */
     int fd = open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (fd < 0)

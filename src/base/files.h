@@ -17,7 +17,8 @@ int rl_file_write(const char *path, const void *data, size_t size, struct rl_err
 
 /* The same in two steps for writers that want a file name of their own (an image library): `begin` writes the
  * temporary name, ending in the extension of `path`, into `temporary`; `commit` flushes and renames,
- * `abandon` removes. */
+ * `abandon` removes. What a writer of the same file on this machine left when it was killed is removed by
+ * the next `begin`. */
 int rl_file_begin(char temporary[], size_t size, const char *path, struct rl_error *error);
 int rl_file_commit(const char *temporary, const char *path, struct rl_error *error);
 void rl_file_abandon(const char *temporary);

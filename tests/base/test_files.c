@@ -201,6 +201,37 @@ static void test_full_disk(void **state)
     assert_int_equal(rmdir(disk), 0);
 }
 
+/* What a killed writer left goes with the next one; what one leaves that still runs stays. */
+static void test_orphans(void **state)
+{
+    (void)state;
+    char path[PATH_MAX], orphan[PATH_MAX], next[PATH_MAX];
+    temporary_path(&folder, path, "orphan.txt");
+    check_ok(rl_file_begin(next, sizeof next, path, &error), &error);
+    const char *number = strrchr(next, '.');
+    while (number > next && number[-1] != '.')
+        number--;
+    pid_t child = fork();
+    if (child == 0)
+        _exit(rl_file_begin(orphan, sizeof orphan, path, NULL) == RL_OK ? 0 : 1);
+    int status = 1;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(status, 0);
+    snprintf(orphan, sizeof orphan, "%.*s%ld.txt", (int)(number - next), next, (long)child);
+    assert_true(exists(orphan));
+    check_ok(rl_file_begin(next, sizeof next, path, &error), &error);
+    assert_true(exists(next) && !exists(orphan));
+    /* The process above all, which always runs. */
+    snprintf(orphan, sizeof orphan, "%.*s1.txt", (int)(number - next), next);
+    FILE *other = fopen(orphan, "w");
+    assert_non_null(other);
+    fclose(other);
+    check_ok(rl_file_begin(next, sizeof next, path, &error), &error);
+    assert_true(exists(next) && exists(orphan));
+    rl_file_abandon(next);
+    unlink(orphan);
+}
+
 static void test_directory_create(void **state)
 {
     (void)state;
@@ -234,6 +265,7 @@ int main(void)
         cmocka_unit_test(test_names_without_folder_or_ending),
         cmocka_unit_test(test_commit_to_a_vanished_folder),
         cmocka_unit_test(test_full_disk),
+        cmocka_unit_test(test_orphans),
         cmocka_unit_test(test_directory_create),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
