@@ -17,6 +17,7 @@ extern const struct rl_study rl_study_effects;
 extern const struct rl_study rl_study_fps;
 extern const struct rl_study rl_study_bare;
 extern const struct rl_study rl_study_interpolation;
+extern const struct rl_study rl_study_fur;
 extern const struct rl_study rl_study_accuracy;
 extern const struct rl_study rl_study_visibility;
 
@@ -35,6 +36,7 @@ const struct rl_study *const rl_studies[] = {
     &rl_study_fps,
     &rl_study_bare,
     &rl_study_interpolation,
+    &rl_study_fur,
     &rl_study_accuracy,
     &rl_study_visibility,
 };
