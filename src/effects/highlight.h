@@ -16,7 +16,7 @@ static const struct rl_effect_choice rl_lobe_grazing[] = {
 #define RL_LOBE_KEYS(exponent_help) \
     {.key = "specular", .help = "k_s, W at normal incidence", .kind = RL_EFFECT_COLOUR, .high = 1.0, \
      .required = true, .coefficient = true}, \
-    {.key = "grazing", .help = "g, how much of the way W rises to 1 at grazing incidence (0)", .high = 1.0, \
+    {.key = "grazing", .help = "g, how much of the way W rises to 1 at grazing incidence (0)", .high = 1.0, .coefficient = true, \
      .choice = rl_lobe_grazing}, \
     {.key = "exponent", .help = (exponent_help), .low = 1.0, .high = 1000.0, .required = true}
 /* clang-format on */

@@ -149,7 +149,7 @@ static const struct rl_probe probes[] = {
         .relative = 1e-6,
     },
     {
-        .name = "fresnel",
+        .name = "reflectance",
         .summary =
             "F, unpolarised reflectance at a medium of index n - i k; c: cosine of the angle of incidence",
         .n_in = 3,

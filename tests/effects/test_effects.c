@@ -79,6 +79,50 @@ static void test_descriptors(void **state)
     assert_null(rl_effect_find("nothing"));
 }
 
+/* Its coefficients 0, all else as large as it may be. Optional values, or only the one that `key` names. */
+static void fill(double *value, const struct rl_effect *e, const char *key)
+{
+    for (size_t k = 0, v = 0; e->param[k].help; k++) {
+        const struct rl_effect_param *p = &e->param[k];
+        bool named = key && p->key && strcmp(p->key, key) == 0;
+        for (int c = 0; c < (p->kind == RL_EFFECT_COLOUR ? 3 : 1); c++, v++)
+            if (named || (!key && (p->required || !isnan(value[v])) && p->kind != RL_EFFECT_CHOICE))
+                value[v] = p->coefficient ? 0.0 : p->high;
+    }
+}
+
+/* What is dropped as not wanted would have been black, whatever its other values are, at a grazing angle. (A factor of 0 is not
+ * dropped but drops the highlight.) */
+static void test_unwanted_is_black(void **state)
+{
+    (void)state;
+    const struct rl_surface grazing = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -0.995, 0.0998749217771909}};
+    const rl_vec3 L = {0.0, 0.995, 0.0998749217771909};
+    const rl_vec3 triangle[3] = {{-1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, {0.0, 2.0, 1.0}};
+    for (size_t i = 0; i < rl_n_effects; i++) {
+        const struct rl_effect *e = rl_effects[i];
+        struct rl_material material = {0};
+        double params[RL_EFFECT_PARAMS][4], rgb[3] = {0.0};
+        double *value = rl_effect_give(&material, e);
+        const char *key = NULL;
+        fill(value, e, NULL);
+        if (e->check && e->check(value, &key))
+            fill(value, e, key);
+        assert_true(!e->check || !e->check(value, &key));
+        assert_false(rl_effect_wanted(&material, e));
+        e->pack(value, params);
+        if (e->constant)
+            e->constant(&grazing, params, rgb);
+        check_rgb(rgb, 0.0, 0.0, 0.0);
+        if (e->reflect)
+            e->reflect(&grazing, L, params, rgb);
+        check_rgb(rgb, 0.0, 0.0, 0.0);
+        if (e->area)
+            e->area(&grazing, triangle, 3, params, rgb);
+        check_rgb(rgb, 0.0, 0.0, 0.0);
+    }
+}
+
 static void test_ambient(void **state)
 {
     (void)state;
@@ -203,7 +247,8 @@ static void test_below(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_descriptors), cmocka_unit_test(test_ambient), cmocka_unit_test(test_diffuse),
+        cmocka_unit_test(test_descriptors), cmocka_unit_test(test_unwanted_is_black),
+        cmocka_unit_test(test_ambient),     cmocka_unit_test(test_diffuse),
         cmocka_unit_test(test_sources),     cmocka_unit_test(test_below),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

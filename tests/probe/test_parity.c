@@ -217,6 +217,9 @@ static void test_parity(void **state)
     size_t tested = 0;
     print_message("seed %llu\n", (unsigned long long)seed);
     for (size_t k = 0; rl_probe_at(&p, k); k++) {
+        struct rl_probe found; /* each by its own name, functions of the model and effects alike */
+        check_ok(rl_probe_find(&found, p.name, &error), &error);
+        assert_true(found.effect == p.effect && found.cpu == p.cpu);
         if (rl_probe_check_gpu(&p, NULL) != RL_OK)
             continue;
         double *rows = malloc(ROWS * p.n_in * sizeof *rows);
