@@ -5,6 +5,7 @@
  *     rl_goodness_make(&g, 65536, &error);
  *     for (...) rl_goodness_add(&g, U);
  *     struct rl_chi_square c = rl_goodness_chi_square(&g, 64);      c.p against rl_sidak_level(0.01, number of tests)
+ *     struct rl_interval m = rl_goodness_misfit(&g, 64, 0.95);      how far, not whether: against a bound that matters
  *     struct rl_interval k = rl_goodness_kolmogorov(&g, 0.95);
  *     rl_goodness_clear(&g);
  *
@@ -40,6 +41,13 @@ struct rl_chi_square {
 
 /* Pearson's test with n_groups bins of equal probability; n_groups divides n_bins. NaN without samples. */
 struct rl_chi_square rl_goodness_chi_square(const struct rl_goodness *goodness, size_t n_groups);
+
+/* How far the distribution that the samples came from is from the uniform one: the root mean square, over n_groups bins of equal
+ * probability, of a bin's share over the expected one less 1 (Cohen's w; at least twice the total variation distance over
+ * these bins). What p cannot tell: few samples make a large p, but a wide interval. Value: the root of phi2, 0 where chance alone gives as
+ * much. Interval: the non-central chi-square's, inverted (Sankaran's approximation, 1963), its halves widened where a misfit of
+ * some size makes the crowded bins noisier than it knows; a fit better than chance's mean counts as that mean. NaN without samples. */
+struct rl_interval rl_goodness_misfit(const struct rl_goodness *goodness, size_t n_groups, double level);
 
 /* Observed over expected count in each of n_groups bins. */
 void rl_goodness_ratios(double ratio[], const struct rl_goodness *goodness, size_t n_groups);

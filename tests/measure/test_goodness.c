@@ -7,6 +7,9 @@
 
 #include <cmocka.h>
 
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+
 #include "measure/goodness.h"
 #include "model/random.h"
 #include "support/check.h"
@@ -107,11 +110,81 @@ static void p_is_fair(void **state)
     rl_goodness_clear(&g);
 }
 
+/* The non-central chi-square's cdf as it is defined: a Poisson mixture of central ones. */
+static double mixture(double x, double freedom, double lambda)
+{
+    double sum = 0.0;
+    unsigned last = (unsigned)(0.5 * lambda + 12.0 * sqrt(lambda) + 40.0);
+    for (unsigned i = 0; i <= last; i++)
+        sum += gsl_ran_poisson_pdf(i, 0.5 * lambda) * gsl_cdf_chisq_P(x, freedom + 2.0 * i);
+    return sum;
+}
+
+/* Counts n (1 +- w)/64 in turn: the misfit is w but for the chance that is taken off, and its ends are where the mixture has them. */
+static void misfit_by_the_mixture(void **state)
+{
+    (void)state;
+    static const double off[] = {0.015625, 0.03125, 0.25, 0.875}; /* whole counts */
+    for (size_t i = 0; i < sizeof off / sizeof off[0]; i++) {
+        struct rl_goodness g;
+        assert_int_equal(rl_goodness_make(&g, 64, NULL), RL_OK);
+        for (size_t b = 0; b < 64; b++) {
+            g.count[b] = (uint64_t)(4096.0 * (1.0 + (b % 2 ? off[i] : -off[i])));
+            g.n += g.count[b];
+        }
+        double n = (double)g.n, statistic = n * off[i] * off[i];
+        struct rl_interval m = rl_goodness_misfit(&g, 64, 0.95);
+        check_near(m.value, sqrt(off[i] * off[i] - 63.0 / n < 0.0 ? 0.0 : off[i] * off[i] - 63.0 / n), 1e-12);
+        check_near(mixture(fmax(statistic, 63.0), 63.0, n * m.high * m.high), 0.025, 0.001);
+        if (m.low > 0.0)
+            check_near(mixture(statistic, 63.0, n * m.low * m.low), 0.975, 0.001);
+        else
+            assert_true(gsl_cdf_chisq_P(statistic, 63.0) < 0.975);
+        rl_goodness_clear(&g);
+    }
+    struct rl_goodness none;
+    assert_int_equal(rl_goodness_make(&none, 64, NULL), RL_OK);
+    assert_true(isnan(rl_goodness_misfit(&none, 64, 0.95).value));
+    rl_goodness_clear(&none);
+}
+
+/* Samples that fit, that misfit by little, and that crowd into a few bins, for which the non-central chi-square alone is too sure: the
+ * interval holds the truth in 95 % of 1000 seeds, to 4 standard deviations. Fewer samples never make a smaller upper end. */
+static void misfit_is_covered(void **state)
+{
+    (void)state;
+    static const double crowded[] = {0.0, 0.05,
+                                     0.5}; /* this share of the samples goes to the first two bins of 16 */
+    for (size_t i = 0; i < sizeof crowded / sizeof crowded[0]; i++) {
+        int held = 0;
+        double ratio = crowded[i] * 8.0 + 1.0 - crowded[i], rest = 1.0 - crowded[i];
+        double truth =
+            sqrt((2.0 * (ratio - 1.0) * (ratio - 1.0) + 14.0 * (rest - 1.0) * (rest - 1.0)) / 16.0);
+        for (uint64_t seed = 0; seed < 1000; seed++) {
+            struct rl_goodness g;
+            assert_int_equal(rl_goodness_make(&g, 16, NULL), RL_OK);
+            for (uint64_t k = 0; k < 2000; k++) {
+                double u = rl_random_uniform(seed, 2 * k);
+                rl_goodness_add(&g, rl_random_uniform(seed, 2 * k + 1) < crowded[i] ? u / 8.0 : u);
+            }
+            struct rl_interval m = rl_goodness_misfit(&g, 16, 0.95);
+            held += m.low <= truth + 1e-12 && truth <= m.high;
+            assert_true(m.low <= m.value && m.value <= m.high);
+            assert_true(m.high > 0.05); /* 2000 samples, however well they fit, show no less */
+            rl_goodness_clear(&g);
+        }
+        if (held < 922)
+            fail_msg("crowded by %g: the interval holds the truth in %d of 1000", crowded[i], held);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(counts_by_hand), cmocka_unit_test(ends_are_counted), cmocka_unit_test(kolmogorov_p),
-        cmocka_unit_test(sidak),          cmocka_unit_test(p_is_fair),
+        cmocka_unit_test(counts_by_hand),    cmocka_unit_test(ends_are_counted),
+        cmocka_unit_test(kolmogorov_p),      cmocka_unit_test(sidak),
+        cmocka_unit_test(p_is_fair),         cmocka_unit_test(misfit_by_the_mixture),
+        cmocka_unit_test(misfit_is_covered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
