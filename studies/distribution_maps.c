@@ -39,13 +39,13 @@ static double moments_error(const struct moments *m)
 }
 
 /* Normals of a block of texels as the shader has them, as unit vectors; how storing moved their tangential components; and where the
- * distribution's own cdf and theta/pi put them. */
+ * cdf of D (distribution_truth.c) and theta/pi put them. */
 enum quantity { ALONG, TANGENT, BITANGENT, TANGENT_MOVED, BITANGENT_MOVED, U, THETA, QUANTITIES };
 typedef double block[QUANTITIES][BLOCK];
 
 /* What is gathered over the texels of a map. */
 struct tally {
-    const struct rl_ellipsoid *e;
+    const struct rl_distribution_truth *d;
     struct rl_goodness u, theta;
     struct moments mean_u;
     struct moments normal[3]; /* components of unit normals: along N, and tangential */
@@ -54,7 +54,7 @@ struct tally {
 
 /* A texel as the shader decodes it, 2 t - 1 in single precision, made a unit vector: the shader's sum does not depend on the
  * length. delta and theta in [0, pi) are those of DESIGN's H; where y = z = 0, theta is 0. */
-static void place_texel(block b, size_t i, const struct rl_ellipsoid *e, const float texel[4],
+static void place_texel(block b, size_t i, const struct rl_distribution_truth *d, const float texel[4],
                         const struct rl_microfacet *exact)
 {
     float decoded[3];
@@ -71,7 +71,7 @@ static void place_texel(block b, size_t i, const struct rl_ellipsoid *e, const f
     b[BITANGENT][i] = h.z;
     b[TANGENT_MOVED][i] = h.y - exact->y;
     b[BITANGENT_MOVED][i] = h.z - exact->z;
-    b[U][i] = rl_ellipsoid_cdf_sincos(e, sin_delta, fmax(h.x, 0.0));
+    b[U][i] = rl_distribution_truth_cdf(d, sin_delta, fmax(h.x, 0.0));
     b[THETA][i] = theta / RL_PI;
 }
 
@@ -113,7 +113,7 @@ static double folded_quantile(const struct rl_goodness *u, double q)
 static double width_at(const struct tally *t, double q)
 {
     double folded = folded_quantile(&t->u, q);
-    return rl_ellipsoid_inverse(t->e, 0.5 + 0.5 * folded).delta / rl_ellipsoid_inverse(t->e, 0.75).delta;
+    return rl_distribution_truth_quantile(t->d, folded) / t->d->median;
 }
 
 /* The median |delta| over that of D. Its interval: order statistics, by the normal approximation of the binomial. */
@@ -197,7 +197,7 @@ static int tally_map(struct tally *t, const float *texels, const struct rl_micro
         enum rl_spent_kind outer = rl_spent_on(spent, RL_SPENT_REFERENCE);
 #pragma omp parallel for schedule(static)
         for (size_t i = 0; i < here; i++)
-            place_texel(*b, i, t->e, texels + 4 * (at + i), &exact[at + i]);
+            place_texel(*b, i, t->d, texels + 4 * (at + i), &exact[at + i]);
         rl_spent_on(spent, outer);
         tally_block(t, *b, here);
     }
@@ -207,10 +207,9 @@ static int tally_map(struct tally *t, const float *texels, const struct rl_micro
 
 static int measure_map(struct rl_record *r, const struct rl_plan_normal_map *map,
                        const struct rl_settings *settings, const struct rl_microfacet *exact,
-                       struct rl_bench *bench, struct rl_error *error)
+                       const struct rl_distribution_truth *d, struct rl_bench *bench, struct rl_error *error)
 {
-    const struct rl_ellipsoid e = rl_ellipsoid_make(map->rr);
-    struct tally t = {.e = &e};
+    struct tally t = {.d = d};
     float *texels;
     enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
     int status = rl_gpu_normal_map_read(&texels, bench->gpu, map, settings, error);
@@ -233,17 +232,20 @@ int rl_distribution_measure_maps(struct rl_record *records, size_t n, struct rl_
 {
     struct rl_settings settings;
     struct rl_microfacet *exact = NULL;
+    struct rl_distribution_truth d;
     int status = rl_bench_settings(&settings, records[0].parameters, error);
     if (status != RL_OK)
         return status;
     const struct rl_plan_normal_map map = {.rr = settings.rr, .method = rl_method_find("random")};
     enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
     status = draw_exact(&exact, &map, &settings, error);
+    rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
+    rl_distribution_truth_make(&d, rl_parameter_number(records[0].parameters, "rr"));
     rl_spent_on(&bench->spent, outer);
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = rl_bench_settings(&settings, records[i].parameters, error);
         if (status == RL_OK)
-            status = measure_map(&records[i], &map, &settings, exact, bench, error);
+            status = measure_map(&records[i], &map, &settings, exact, &d, bench, error);
     }
     free(exact);
     return status;
