@@ -2,7 +2,7 @@
 #
 #   gnuplot -c plots/distribution.gp plots/style.gp FOLDER OUTPUT FIGURE SCENE
 #
-# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is fit, histogram, width, tilt, generators or pictures.
+# FOLDER holds the tables, OUTPUT ends in .svg or .png, FIGURE is fit, misfit, histogram, width, tilt, generators or pictures.
 folder = ARG2
 output = ARG3
 figure = ARG4
@@ -55,6 +55,20 @@ if (figure eq "width") {
     plot for [i = 1:words(formats)] data using (at(word(formats, i))):"width" \
             with linespoints linetype i pointsize 0.9 title name(word(formats, i)), \
         1 with lines linestyle 90 title "D itself"
+}
+
+if (figure eq "misfit") {
+    set title "Misfit of 64 bins of delta or theta, the worse" . map
+    set logscale xy
+    set format y "10^{%L}"
+    set xrange [0.8:1300]
+    set yrange [edge_of(1e-3, 10):10]
+    set ylabel "root mean square of observed/expected − 1"
+    worse(end) = column("misfit_delta" . end) > column("misfit_theta" . end) ? column("misfit_delta" . end) : column("misfit_theta" . end)
+    plot for [i = 1:words(formats)] data using (aside(i, at(word(formats, i)))):(standing(worse(""))):(ended(worse("_low"))):(ended(worse("_high"))) \
+            with yerrorlines linetype i pointsize 0.9 title name(word(formats, i)), \
+        for [i = 1:words(formats)] data using (aside(i, at(word(formats, i)))):(sunk(worse(""))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        0.02 with lines linestyle 90 title "2 %"
 }
 
 if (figure eq "tilt") {

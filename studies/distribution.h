@@ -10,9 +10,6 @@
 /* Bins of equal probability of the chi-square tests, and of the histogram that is kept. */
 enum { RL_DISTRIBUTION_BINS = 64 };
 
-/* Probability of any false alarm among all chi-square tests of a run. */
-#define RL_DISTRIBUTION_LEVEL 0.01
-
 /* D's cdf by integration of its density as published, apart from all that normals are drawn by (distribution_truth.c). Angles in
  * radians. R_r from 0.01 to 1e6. */
 enum { RL_DISTRIBUTION_STEPS = 2048 };
@@ -36,7 +33,7 @@ double rl_distribution_truth_cdf(const struct rl_distribution_truth *truth, doub
 double rl_distribution_truth_quantile(const struct rl_distribution_truth *truth, double inner);
 
 /* "series=map": the texels of one normal map, by R_r, normal_bits and normal_size, as the GPU has them. Metrics: p_delta, p_theta,
- * phi2_delta, phi2_theta (goodness.h); kolmogorov of U; mean_u; mean_tilt, the angle between N and the mean normal; tilt, the part
+ * phi2_delta, phi2_theta, misfit_delta, misfit_theta (goodness.h); kolmogorov of U; mean_u; d_median and d_rms_sine, D's own; mean_tilt, the angle between N and the mean normal; tilt, the part
  * of it that storing the normals did (against the same normals unrounded); width, the median |delta| over the distribution's.
  * Series delta_bins where `keep` is 1: observed over expected count. All n records are of one R_r and normal_size. */
 int rl_distribution_measure_maps(struct rl_record *records, size_t n, struct rl_bench *bench,

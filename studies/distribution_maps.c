@@ -144,6 +144,12 @@ static int add_fit(struct rl_record *r, const struct tally *t, struct rl_error *
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
         status = rl_record_add(r, row[i].name, rl_exact_interval(row[i].value), "1", error);
     if (status == RL_OK)
+        status = rl_record_add(r, "misfit_delta", rl_goodness_misfit(&t->u, RL_DISTRIBUTION_BINS, 0.95), "1",
+                               error);
+    if (status == RL_OK)
+        status = rl_record_add(r, "misfit_theta", rl_goodness_misfit(&t->theta, RL_DISTRIBUTION_BINS, 0.95),
+                               "1", error);
+    if (status == RL_OK)
         status = rl_record_add(r, "kolmogorov", rl_goodness_kolmogorov(&t->u, 0.95), "1", error);
     double ratio[RL_DISTRIBUTION_BINS];
     rl_goodness_ratios(ratio, &t->u, RL_DISTRIBUTION_BINS);
@@ -164,6 +170,10 @@ static int add_moments(struct rl_record *r, const struct tally *t, struct rl_err
         status = rl_record_add(r, "tilt", length_of(&t->moved[0], &t->moved[1], 1.0 / along), "rad", error);
     if (status == RL_OK)
         status = rl_record_add(r, "width", width_of(t), "1", error);
+    if (status == RL_OK)
+        status = rl_record_add(r, "d_median", rl_exact_interval(t->d->median), "rad", error);
+    if (status == RL_OK)
+        status = rl_record_add(r, "d_rms_sine", rl_exact_interval(t->d->rms_sine), "1", error);
     return status;
 }
 
