@@ -26,6 +26,8 @@ map = sprintf(", maps of %g × %g", SIZE_max, SIZE_max)
 set linetype 8 linecolor rgb "#8b4513" dashtype 1 pointtype 8
 set linetype 9 linecolor rgb "#6a3d9a" dashtype 1 pointtype 2
 set linetype cycle 9
+stored = "" # floats are turned by less than a frame shows
+do for [i = 1:words(formats)] { if (word(formats, i) ne "float") { stored = stored . word(formats, i) . " " } }
 # Bars side by side, else they cover each other.
 aside(i, x) = x * 1.03 ** (i - 4.5)
 
@@ -72,18 +74,35 @@ if (figure eq "misfit") {
 }
 
 if (figure eq "tilt") {
-    set title "How far storing turns the mean normal" . map
+    # A panel for each format: their bars, which mostly end at 0, would cover each other in one.
+    panels = words(stored)
+    if (panels == 0) { exit status 3 }
+    columns = panels > 6 ? 4 : panels > 4 ? 3 : panels > 2 ? 2 : panels
+    rows = (panels + columns - 1) / columns
+    set bmargin
+    unset key
+    set multiplot layout rows, columns title "How far storing turns the mean normal, in radians" . map margins 0.09, 0.97, 0.26, 0.87 spacing 0.025, 0.1
     set logscale xy
-    set format y "10^{%L}"
-    set xrange [0.8:1300]
-    set yrange [edge_of(1e-8, 1e-2):1e-2]
-    set ylabel "angle in radians"
-    # Floats are turned by less than the frame shows.
-    stored = formats[:strstrt(formats, "float") - 1]
-    plot for [i = 1:words(stored)] data using (aside(i, at(word(stored, i)))):(standing(column("tilt_rad"))):(ended(column("tilt_rad_low"))):(ended(column("tilt_rad_high"))) \
-            with yerrorlines linetype i pointsize 0.9 title name(word(stored, i)), \
-        for [i = 1:words(stored)] data using (aside(i, at(word(stored, i)))):(sunk(column("tilt_rad"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
-        data using (at("float")):"mean_tilt_rad" with lines linestyle 90 title "chance of the numbers"
+    set xrange [0.6:1700]
+    set xtics (1, 10, 100, 1000)
+    set yrange [edge_of(1e-9, 1e-2):1e-2]
+    set ytics (1e-8, 1e-6, 1e-4, 1e-2)
+    set tics font ",12"
+    allowed(format) = format eq "8" ? 0.2 / 255.0 : format eq "half" ? 0.01 * column("d_median_rad") : NaN
+    do for [p = 1:panels] {
+        format = word(stored, p)
+        set title name(format) offset 0, -0.6
+        set format x (p + columns > panels ? "%g" : "")
+        set format y ((p - 1) % columns == 0 ? "10^{%L}" : "")
+        set xlabel (p + columns > panels ? "R_r" : "") offset 0, 0.6
+        if (p == panels) { set key at screen 0.5, 0.015 bottom center vertical maxcols 1 }
+        plot data using (at("float")):"mean_tilt_rad" with linespoints linestyle 90 pointtype 7 pointsize 0.2 title "chance of the numbers", \
+            data using (at(format)):(allowed(format)) with linespoints linetype 2 pointtype 7 pointsize 0.2 title "at most, by the claims of 8 bits and half", \
+            data using (at(format)):(standing(column("tilt_rad"))):(ended(column("tilt_rad_low"))):(ended(column("tilt_rad_high"))) \
+                with yerrorbars linetype 1 pointsize 0.7 title "turned by storing, 95 % interval", \
+            data using (at(format)):(sunk(column("tilt_rad"))):(0):(fall(0)) with vectors arrowstyle 1 notitle
+    }
+    unset multiplot
 }
 
 if (figure eq "histogram") {
@@ -102,16 +121,22 @@ if (figure eq "histogram") {
     chance = 1.96 * sqrt(64.0) / SIZE_max
     do for [p = 1:panels] {
         r = word(rr_list, p)
-        set ylabel "R_r " . r
+        set label 1 "R_r " . r at graph -0.075, 0.5 center rotate
         set xlabel (p == panels ? "bin along delta, from −90° to 90°" : "")
         if (p == panels) { set key at screen 0.5, 0.01 bottom center horizontal maxcols 3 }
         set yrange [*:*]
         stats raw using (chosen(r, "8") ? column("value") : NaN) name "RATIO" nooutput
         if (!exists("RATIO_max")) { exit status 3 }
-        set yrange [0:(RATIO_max > 2 ? RATIO_max * 1.1 : 1.5)]
+        # Where all is near 1, closer to; and steps from bin to bin: histeps would fall to 0 behind the last.
+        near = RATIO_min > 0.8 && RATIO_max < 1.2
+        set yrange [(near ? 0.8 : 0):(near ? 1.2 : RATIO_max > 2 ? RATIO_max * 1.1 : 2)]
+        if (near) { set ytics 0.1 } else { set ytics autofreq }
+        last(r, format) = chosen(r, format) && column("index") == 63 ? 63 : NaN
         plot 1 + chance with lines linestyle 90 notitle, 1 - chance with lines linestyle 90 notitle, \
-            raw using (chosen(r, "8") ? column("index") + 0.5 : NaN):"value" with histeps linetype 2 dashtype 1 title "8 bits", \
-            raw using (chosen(r, "float") ? column("index") + 0.5 : NaN):"value" with histeps linetype 1 title "float"
+            raw using (chosen(r, "float") ? column("index") : NaN):"value" with steps linetype 1 linewidth 2 title "float", \
+            raw using (last(r, "float")):"value":(1):(0) with vectors nohead linetype 1 linewidth 2 notitle, \
+            raw using (chosen(r, "8") ? column("index") : NaN):"value" with steps linetype 2 dashtype 1 title "8 bits", \
+            raw using (last(r, "8")):"value":(1):(0) with vectors nohead linetype 2 dashtype 1 notitle
     }
     unset multiplot
 }
