@@ -142,6 +142,10 @@ $(GEN)/objects: FORCE
 
 # #include "gen/version.h". Included by one source only, so that a commit rebuilds no more than that. Outside of a clone (in a tarball, even
 # when it lies inside somebody else's clone) the commit is "unknown".
+# What a program measures depends on what it was built from, which a commit does not change: names and contents of the sources are
+# hashed, and the instruction sets that C_FLAGS does not show. Shaders are read, and hashed, by the program when it runs.
+CODE := $(sort $(wildcard src/*/*.c src/*/*.h src/*/*.cpp studies/*.c studies/*.h))
+code_hash = $(shell { echo '$(AVX2_FLAGS) $(AVX512_FLAGS)'; sha256sum $(CODE); } | sha256sum | cut -c 1-16)
 in_clone = $(shell [ "$$(git rev-parse --show-cdup 2>&1)" = "" ] && echo yes)
 quoted = "$(subst ",\",$(subst \,\\,$(strip $1)))"
 define version_h
@@ -149,6 +153,7 @@ define version_h
 #define RL_VERSION "$(VERSION)"
 #define RL_COMMIT "$(or $(if $(in_clone),$(shell git rev-parse --short=12 HEAD 2>/dev/null)),unknown)"
 #define RL_DIRTY $(if $(and $(in_clone),$(shell git status --porcelain --untracked-files=no 2>/dev/null)),1,0)
+#define RL_CODE "$(code_hash)"
 #define RL_COMPILER $(call quoted,$(shell $(CC) --version | head -n 1))
 #define RL_CFLAGS $(call quoted,$(C_FLAGS))
 endef

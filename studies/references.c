@@ -17,14 +17,15 @@
 static uint64_t make_key(const struct rl_bench *bench, const struct rl_scene *scene,
                          const struct rl_settings *s)
 {
-    char text[320];
-    int n = snprintf(
-        text, sizeof text,
-        "%016" PRIx64
-        " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d shadows=%d culling=%d "
-        "interpolation=%d",
-        scene->hash, bench->provenance.code_hash, s->width, s->height, s->rr, s->tolerance, s->attenuation,
-        rl_frame_name(s->frame), (int)s->light_from, s->shadows, s->culling, s->interpolation);
+    char text[320], program[RL_HASH_TEXT];
+    rl_provenance_program(&bench->provenance, program);
+    int n =
+        snprintf(text, sizeof text,
+                 "%016" PRIx64
+                 " %s %dx%d rr=%.17g tolerance=%.17g attenuation=%d frame=%s from=%d shadows=%d culling=%d "
+                 "interpolation=%d",
+                 scene->hash, program, s->width, s->height, s->rr, s->tolerance, s->attenuation,
+                 rl_frame_name(s->frame), (int)s->light_from, s->shadows, s->culling, s->interpolation);
     return rl_hash_bytes(RL_HASH_START, text, (size_t)n);
 }
 

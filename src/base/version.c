@@ -7,6 +7,7 @@ const struct rl_version rl_version = {
     .version = RL_VERSION,
     .commit = RL_COMMIT,
     .dirty = RL_DIRTY,
+    .code = RL_CODE,
     .compiler = RL_COMPILER,
     .cflags = RL_CFLAGS,
 };

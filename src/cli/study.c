@@ -198,7 +198,7 @@ static const struct rl_verb verbs[] = {
      .description =
          "Copies what the databases FROM hold into INTO. Nothing measured there is replaced, nothing is "
          "copied twice.\n"
-         "Refuses what different versions, commits or renderers measured, or scenes that differ, unless "
+         "Refuses what different versions, sources or renderers measured, or scenes that differ, unless "
          "--allow-mixed.\n"
          "With --study it names what no file has. Exit code 3: a case is missing, failed, or was measured "
          "twice with\n"

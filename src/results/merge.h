@@ -23,7 +23,7 @@ struct rl_merge_options {
     const char *into; /* made if it does not exist */
     const char *const *from;
     size_t n_from;
-    /* Take together what was measured by different versions, commits or renderers, or on different scenes of one name; else
+    /* Take together what was measured by different versions, sources or renderers, or on different scenes of one name; else
      * that is RL_ERR_INPUT, and nothing is changed. */
     bool allow_mixed;
 };

@@ -12,6 +12,7 @@
 /* Something that has one value for each study. */
 struct fact {
     char study[RL_NAME_MAX], name[RL_NAME_MAX + 8], value[192];
+    char note[64];    /* shown after the value, not compared */
     const char *path; /* where it was first found */
 };
 
@@ -20,16 +21,17 @@ struct facts {
     struct fact *fact;
 };
 
-/* Of a study's latest run. Where sources were modified, the commit does not say which, but the program's hash does. */
+/* Of a study's latest run. Which program it was, the hash of its sources tells; the commit is for people to look up. */
 static const char query[] =
     "WITH planned AS (SELECT runs.study, run_cases.* FROM run_cases JOIN runs ON runs.id = run"
     "  WHERE run IN (SELECT max(id) FROM runs GROUP BY study)),"
     " made AS (SELECT planned.study, provenance.* FROM planned JOIN cases USING (identity)"
     "  JOIN provenance ON provenance.id = cases.provenance)"
-    " SELECT study, 'version', version FROM made"
-    " UNION SELECT study, 'commit', commit_id || iif(dirty, ' modified, program ' || code_hash, '') FROM made"
-    " UNION SELECT study, 'renderer', renderer FROM made"
-    " UNION SELECT study, 'scene ' || scene, scene_hash FROM planned";
+    " SELECT study, 'version', version, '' FROM made"
+    " UNION SELECT study, 'code', code_hash, ' (commit ' || commit_id || iif(dirty, ', modified)', ')') FROM "
+    "made"
+    " UNION SELECT study, 'renderer', renderer, '' FROM made"
+    " UNION SELECT study, 'scene ' || scene, scene_hash, '' FROM planned";
 
 static int compare(struct facts *facts, const struct fact *new, struct rl_error *error)
 {
@@ -39,9 +41,10 @@ static int compare(struct facts *facts, const struct fact *new, struct rl_error 
             continue;
         if (strcmp(old->value, new->value) == 0)
             return RL_OK;
-        return rl_fail(error, RL_ERR_INPUT,
-                       "%s: study %s: found %s %s, expected %s as in %s (--allow-mixed takes them together)",
-                       new->path, new->study, new->name, new->value, old->value, old->path);
+        return rl_fail(
+            error, RL_ERR_INPUT,
+            "%s: study %s: found %s %s%s, expected %s%s as in %s (--allow-mixed takes them together)",
+            new->path, new->study, new->name, new->value, new->note, old->value, old->note, old->path);
     }
     struct fact *grown = realloc(facts->fact, (facts->n + 1) * sizeof *grown);
     if (!grown)
@@ -63,6 +66,7 @@ static int check_file(struct facts *facts, const char *path, bool allow_mixed, s
         rl_sql_text(s, 0, fact.study, sizeof fact.study);
         rl_sql_text(s, 1, fact.name, sizeof fact.name);
         rl_sql_text(s, 2, fact.value, sizeof fact.value);
+        rl_sql_text(s, 3, fact.note, sizeof fact.note);
         status = compare(facts, &fact, error);
         if (status != RL_OK)
             break;

@@ -47,9 +47,10 @@ static uint64_t hash_tree(uint64_t hash, const char *folder)
     return hash;
 }
 
+/* Not the program file: it holds the commit, and what else a linker puts there. */
 static uint64_t hash_code(void)
 {
-    uint64_t hash = hash_file(RL_HASH_START, "/proc/self/exe");
+    uint64_t hash = rl_hash_bytes(RL_HASH_START, rl_version.code, strlen(rl_version.code));
     char shaders[PATH_MAX];
     if (rl_path_data(shaders, sizeof shaders, "shaders", NULL) == RL_OK)
         hash = hash_tree(hash, shaders);
@@ -82,14 +83,24 @@ void rl_provenance_fill(struct rl_provenance *p, int threads, const char *backen
     rl_provenance_now(p->time);
 }
 
+static uint64_t hash_texts(uint64_t hash, const char *const *text, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        hash = rl_hash_bytes(hash, text[i], strlen(text[i]) + 1);
+    return hash;
+}
+
+void rl_provenance_program(const struct rl_provenance *p, char text[RL_HASH_TEXT])
+{
+    const char *const part[] = {p->version, p->code_hash, p->compiler, p->cflags};
+    rl_hash_text(text, hash_texts(RL_HASH_START, part, sizeof part / sizeof part[0]));
+}
+
 void rl_provenance_environment(const struct rl_provenance *p, char text[RL_HASH_TEXT])
 {
-    char number[32];
-    snprintf(number, sizeof number, "%d %d", p->dirty, p->threads);
-    const char *part[] = {p->version, p->commit,  p->code_hash, p->compiler,   p->cflags, p->cpu,
-                          p->os,      p->backend, p->renderer,  p->gl_version, number};
-    uint64_t hash = RL_HASH_START;
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
-        hash = rl_hash_bytes(hash, part[i], strlen(part[i]) + 1);
-    rl_hash_text(text, hash);
+    char threads[32], program[RL_HASH_TEXT];
+    snprintf(threads, sizeof threads, "%d", p->threads);
+    rl_provenance_program(p, program);
+    const char *const part[] = {program, p->cpu, p->os, p->backend, p->renderer, p->gl_version, threads};
+    rl_hash_text(text, hash_texts(RL_HASH_START, part, sizeof part / sizeof part[0]));
 }

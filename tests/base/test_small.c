@@ -171,6 +171,7 @@ static void test_version(void **state)
     (void)state;
     assert_non_null(strchr(rl_version.version, '.'));
     assert_true(strcmp(rl_version.commit, "unknown") == 0 || strlen(rl_version.commit) == 12);
+    assert_int_equal(strspn(rl_version.code, "0123456789abcdef"), 16);
     assert_true(rl_version.compiler[0] != '\0');
     assert_non_null(strstr(rl_version.cflags, "-std=c17"));
 }

@@ -28,9 +28,10 @@ struct file {
     const char *state, *version, *renderer, *cpu;
     uint64_t scene;
     double value;
+    const char *commit, *code; /* NULL: "c0ffee" and this program's */
 };
 
-static const struct file plain = {"......", "1.0", "llvmpipe", "a", 7, 0.0};
+static const struct file plain = {"......", "1.0", "llvmpipe", "a", 7, 0.0, NULL, NULL};
 
 static void fill(struct rl_run *run, const struct file *f)
 {
@@ -39,6 +40,9 @@ static void fill(struct rl_run *run, const struct file *f)
     *run = (struct rl_run){.study = "samples", .grid = "quick", .started = "2026-01-31T12:00:00Z"};
     rl_provenance_fill(&run->provenance, 2, "osmesa", f->renderer, "4.5");
     run->provenance.dirty = false;
+    snprintf(run->provenance.commit, sizeof run->provenance.commit, "%s", f->commit ? f->commit : "c0ffee");
+    if (f->code)
+        snprintf(run->provenance.code_hash, sizeof run->provenance.code_hash, "%s", f->code);
     snprintf(run->provenance.version, sizeof run->provenance.version, "%s", f->version);
     snprintf(run->provenance.cpu, sizeof run->provenance.cpu, "%s", f->cpu);
     snprintf(run->provenance.time, sizeof run->provenance.time, "2026-01-31T12:00:0%sZ", f->cpu);
@@ -244,11 +248,13 @@ static void test_mixed(void **state)
         struct file file;
         const char *words;
     } row[] = {
-        {{"..oo..", "2.0", "llvmpipe", "a", 7, 0.0},
+        {{"..oo..", "2.0", "llvmpipe", "a", 7, 0.0, NULL, NULL},
          "2.db: study samples: found version 2.0, expected 1.0 as in "},
-        {{"..oo..", "1.0", "radeon", "a", 7, 0.0}, "found renderer radeon, expected llvmpipe"},
-        {{"..oo..", "1.0", "llvmpipe", "a", 8, 0.0},
+        {{"..oo..", "1.0", "radeon", "a", 7, 0.0, NULL, NULL}, "found renderer radeon, expected llvmpipe"},
+        {{"..oo..", "1.0", "llvmpipe", "a", 8, 0.0, NULL, NULL},
          "found scene ball 0000000000000008, expected 0000000000000007"},
+        {{"..oo..", "1.0", "llvmpipe", "a", 7, 0.0, "decade", "0123456789abcdef"},
+         "found code 0123456789abcdef (commit decade), expected "},
     };
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct rl_merge_outcome o;
@@ -280,6 +286,25 @@ static void test_mixed(void **state)
         assert_int_equal(run.record[run.n_records - 1].group, (int)run.n_records / 2 - 1);
         rl_run_clear(&run);
     }
+}
+
+/* Another commit of the same sources is the same program; so it has the same identities. */
+static void test_other_commit(void **state)
+{
+    (void)state;
+    struct rl_merge_outcome o;
+    struct rl_error error;
+    struct file f = plain;
+    remove(path[0]);
+    f.state = "ooo...";
+    make(1, &f);
+    f.state = "..oooo";
+    f.commit = "decade";
+    make(2, &f);
+    check_ok(merge(2, false, &o, &error), &error);
+    assert_true(o.copied == 6 && o.known == 1 && o.differing == 0);
+    rl_merge_outcome_clear(&o);
+    expect("oooooo", 0.0);
 }
 
 static void test_bad_files(void **state)
@@ -341,6 +366,7 @@ int main(void)
         cmocka_unit_test(test_other_machines),
         cmocka_unit_test(test_failures_and_twice),
         cmocka_unit_test(test_mixed),
+        cmocka_unit_test(test_other_commit),
         cmocka_unit_test(test_bad_files),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
