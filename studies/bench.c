@@ -14,13 +14,18 @@ static bool ask_owner(void *user)
     return rl_progress_cancelled(user);
 }
 
+static void tell_owner(void *user, const char *text)
+{
+    rl_progress_note(user, text);
+}
+
 int rl_bench_open(struct rl_bench *bench, const char *backend, int threads, const char *cache,
                   const struct rl_progress *progress, struct rl_error *error)
 {
     *bench = (struct rl_bench){.threads = threads, .cache = cache};
     rl_spent_begin(&bench->spent, RL_SPENT_SETUP);
-    /* The callback's `user` is not const, but it is only asked. */
-    bench->quiet = (struct rl_progress){.cancelled = ask_owner, .user = (void *)progress};
+    /* The callbacks' `user` is not const, but it is only asked and told. */
+    bench->quiet = (struct rl_progress){.cancelled = ask_owner, .note = tell_owner, .user = (void *)progress};
     int status = rl_gpu_open(&bench->gpu, backend, error);
     if (status != RL_OK)
         return status;

@@ -24,10 +24,11 @@
 struct rl_bench {
     struct rl_gpu *gpu;
     struct rl_provenance provenance;
-    int threads;              /* of the CPU renderer; 0: as many as the process may use */
-    const char *cache;        /* folder where references are kept; made when first needed */
-    struct rl_spent spent;    /* where the time goes; the functions here note what they do themselves */
-    struct rl_progress quiet; /* asks the owner's progress whether to stop, but reports nothing to it */
+    int threads;           /* of the CPU renderer; 0: as many as the process may use */
+    const char *cache;     /* folder where references are kept; made when first needed */
+    struct rl_spent spent; /* where the time goes; the functions here note what they do themselves */
+    struct rl_progress
+        quiet; /* asks the owner's progress whether to stop, and hands on notes, but reports no steps */
     /* References kept in memory, one of each kind (enum rl_light_from), with their keys; key 0: none. */
     uint64_t reference_key[2];
     struct rl_image reference[2];
@@ -65,10 +66,11 @@ int rl_bench_draw(struct rl_image *image, struct rl_bench *bench, struct rl_benc
 int rl_bench_picture(struct rl_image *image, struct rl_bench *bench, const struct rl_scene *scene,
                      const char *parameters, uint64_t seed, struct rl_error *error);
 
-/* The reference image for a case: from memory, from the cache, or computed and then kept in both. What determines it, the
- * program included, is its key. A `frame` counts only beside method=reference: else the truth is orthonormal. The image belongs to the bench and is valid until the next call for the same `from`. From the object's centre
- * (RL_LIGHT_FROM_OBJECT) lights are seen as environment maps see them: truth but for their parallax. RL_ERR_INPUT: it shows
- * nothing but background. */
+/* The reference image for a case: from memory, from the cache, or computed and then kept in both. What determines it, the program
+ * included, is its key, which its file holds: where a file has the right name and another key, or is damaged, the image is computed
+ * again, with a note to the owner's progress. A `frame` counts only beside method=reference: else the truth is orthonormal. The image
+ * belongs to the bench and is valid until the next call for the same `from`. From the object's centre (RL_LIGHT_FROM_OBJECT) lights
+ * are seen as environment maps see them: truth but for their parallax. RL_ERR_INPUT: it shows nothing but background. */
 int rl_bench_reference(const struct rl_image **image, struct rl_bench *bench, const struct rl_scene *scene,
                        const char *parameters, enum rl_light_from from, struct rl_error *error);
 

@@ -119,3 +119,16 @@ int rl_stamp_accuracy(struct rl_image *image, const struct rl_stamp_accuracy *ac
         number(&stamp, "max_seconds", accuracy->max_seconds);
     return stamp.status;
 }
+
+static const char key_name[] = "roughlight:key";
+
+int rl_stamp_key(struct rl_image *image, const char *key, struct rl_error *error)
+{
+    return rl_image_set_string(image, key_name, key, error);
+}
+
+bool rl_stamp_has_key(const struct rl_image *image, const char *key)
+{
+    const struct rl_attribute *a = rl_image_attribute(image, key_name);
+    return a && a->string && strcmp(a->string, key) == 0;
+}

@@ -5,6 +5,8 @@
 #ifndef RL_RESULTS_STAMP_H
 #define RL_RESULTS_STAMP_H
 
+#include <stdbool.h>
+
 #include "base/error.h"
 #include "image/image.h"
 #include "scene/plan.h"
@@ -24,5 +26,9 @@ struct rl_stamp_accuracy {
 
 int rl_stamp_accuracy(struct rl_image *image, const struct rl_stamp_accuracy *accuracy,
                       struct rl_error *error);
+
+/* What an image is known by where it is kept: all that it depends on, as text. It says so itself, whatever its file is called. */
+int rl_stamp_key(struct rl_image *image, const char *key, struct rl_error *error);
+bool rl_stamp_has_key(const struct rl_image *image, const char *key);
 
 #endif
