@@ -1,5 +1,6 @@
 /* `roughlight study merge`: the results of several databases in one. */
 #include <stdio.h>
+#include <string.h>
 
 #include "cli/study.h"
 #include "results/database.h"
@@ -17,6 +18,26 @@ static int take_studies(const struct rl_study *study[], size_t *n, const struct 
                            "--study: there is no study '%s'; 'roughlight study list' lists them", name);
     }
     return RL_OK;
+}
+
+static void print_lines(const char *lines)
+{
+    for (const char *line = lines; line && *line;) {
+        int length = (int)strcspn(line, "\n");
+        fprintf(stderr, "roughlight: %.*s\n", length, line);
+        line += length + 1;
+    }
+}
+
+static void print_outcome(const struct rl_merge_outcome *o, const char *into)
+{
+    fprintf(stderr, "%s: %zu cases copied, %zu there already, %zu measured twice with different results\n",
+            into, o->copied, o->known, o->differing);
+    print_lines(o->notes.data);
+    print_lines(o->agreements.data);
+    if (o->agreeing > RL_MERGE_NAMED)
+        fprintf(stderr, "roughlight: %zu more were there already, with the same results\n",
+                o->agreeing - RL_MERGE_NAMED);
 }
 
 int rl_study_merge_command(const struct rl_arguments *a, struct rl_error *error)
@@ -37,16 +58,7 @@ int rl_study_merge_command(const struct rl_arguments *a, struct rl_error *error)
     if (status == RL_OK && folder[0])
         fprintf(stderr, "created the folder %s\n", folder);
     if (status == RL_OK) {
-        fprintf(stderr,
-                "%s: %zu cases copied, %zu there already, %zu measured twice with different results\n",
-                options.into, outcome.copied, outcome.known, outcome.differing);
-        for (const char *line = outcome.notes.data; line && *line;) {
-            int length = 0;
-            while (line[length] != '\n')
-                length++;
-            fprintf(stderr, "roughlight: %.*s\n", length, line);
-            line += length + 1;
-        }
+        print_outcome(&outcome, options.into);
         named = n ? rl_study_name_failures(study, n, options.into, true)
                   : rl_study_name_failures(rl_studies, rl_n_studies, options.into, false);
         named += outcome.differing;

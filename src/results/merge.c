@@ -24,6 +24,7 @@ struct merge {
 void rl_merge_outcome_clear(struct rl_merge_outcome *outcome)
 {
     rl_buffer_clear(&outcome->notes);
+    rl_buffer_clear(&outcome->agreements);
     *outcome = (struct rl_merge_outcome){0};
 }
 
@@ -66,7 +67,23 @@ static bool differs(double a, double b, bool same_environment)
     return same_environment || !(fabs(a - b) <= 1e-6 * fmax(fabs(a), fabs(b)));
 }
 
-/* A line in the notes if two measurements of a case do not agree. */
+/* "2.db: WORDS: samples teapot-star samples=4" */
+static void name_case(struct rl_buffer *to, const struct merge *m, const char *words,
+                      const struct rl_record *r)
+{
+    rl_buffer_printf(to, "%s: %s: %s %s %s", m->path, words, r->study, r->scene, r->parameters);
+}
+
+static void note_agreement(struct merge *m, const struct rl_record *r)
+{
+    struct rl_buffer *to = &m->outcome->agreements;
+    if (m->outcome->agreeing++ >= RL_MERGE_NAMED)
+        return;
+    name_case(to, m, "there already, with the same results", r);
+    rl_buffer_add(to, "\n");
+}
+
+/* A line in the outcome: two measurements of a case do not agree, and in what, or they do. */
 static void compare(struct merge *m, const struct rl_record *have, const struct rl_record *more)
 {
     bool same = strcmp(have->identity, more->identity) == 0;
@@ -76,14 +93,15 @@ static void compare(struct merge *m, const struct rl_record *have, const struct 
                                    !differs(a->low, b->low, same) && !differs(a->high, b->high, same)))
             continue;
         m->outcome->differing++;
-        rl_buffer_printf(&m->outcome->notes, "%s: different results: %s %s %s: %s is ", m->path, have->study,
-                         have->scene, have->parameters, a->name);
+        name_case(&m->outcome->notes, m, "different results", have);
+        rl_buffer_printf(&m->outcome->notes, ": %s is ", a->name);
         rl_buffer_number(&m->outcome->notes, b ? b->value : NAN);
         rl_buffer_add(&m->outcome->notes, " there, kept is ");
         rl_buffer_number(&m->outcome->notes, a->value);
         rl_buffer_add(&m->outcome->notes, "\n");
         return;
     }
+    note_agreement(m, have);
 }
 
 /* The case of the plan that is the same on any machine, or NULL. */
@@ -238,5 +256,7 @@ int rl_database_merge(struct rl_merge_outcome *outcome, const struct rl_merge_op
     for (size_t i = 0; i < o->n_from && status == RL_OK; i++)
         status = merge_file(outcome, into, o->from[i], error);
     rl_database_close(into);
-    return status == RL_OK ? rl_buffer_check(&outcome->notes, error) : status;
+    if (status == RL_OK)
+        status = rl_buffer_check(&outcome->notes, error);
+    return status == RL_OK ? rl_buffer_check(&outcome->agreements, error) : status;
 }

@@ -28,12 +28,16 @@ struct rl_merge_options {
     bool allow_mixed;
 };
 
+/* A file merged once more has all its cases twice, which nobody wants to read one by one. */
+enum { RL_MERGE_NAMED = 20 };
+
 struct rl_merge_outcome {
     size_t copied; /* cases */
     size_t known;  /* cases that were there already, as good or better */
-    size_t differing;
-    struct rl_buffer
-        notes; /* a line each case measured twice with different results; times aside. The first is kept. */
+    /* Cases that both have measured, times aside. The first is kept. */
+    size_t differing, agreeing;
+    struct rl_buffer notes;      /* a line each differing one */
+    struct rl_buffer agreements; /* a line each agreeing one, but for those beyond RL_MERGE_NAMED */
 };
 
 int rl_database_merge(struct rl_merge_outcome *outcome, const struct rl_merge_options *options,

@@ -125,6 +125,16 @@ static void expect(const char *state, double value)
     rl_run_clear(&run);
 }
 
+/* So many lines, this one among them. */
+static void assert_lines(const struct rl_buffer *buffer, int n, const char *line)
+{
+    int found = 0;
+    for (const char *c = buffer->data; c && *c; c++)
+        found += *c == '\n';
+    if (found != n || !strstr(buffer->data, line))
+        fail_msg("%d lines, expected %d with '%s': %s", found, n, line, buffer->data);
+}
+
 static void read_file(char **data, size_t *size, int i)
 {
     struct rl_error error = {0};
@@ -148,7 +158,9 @@ static void test_shares(void **state)
     rl_merge_outcome_clear(&o);
     expect("oo..oo", 0.0);
     check_ok(merge(3, false, &o, &error), &error);
-    assert_true(o.copied == 2 && o.known == 4 && o.differing == 0);
+    assert_true(o.copied == 2 && o.known == 4 && o.differing == 0 && o.agreeing == 4);
+    assert_lines(&o.agreements, 4, "1.db: there already, with the same results: samples ball samples=0\n");
+    assert_lines(&o.agreements, 4, "2.db: there already, with the same results: samples ball samples=5\n");
     rl_merge_outcome_clear(&o);
     expect("ooofoo", 0.0);
 
@@ -157,6 +169,8 @@ static void test_shares(void **state)
     read_file(&before, &size, 0);
     check_ok(merge(3, false, &o, &error), &error);
     assert_true(o.copied == 0 && o.known == 6 && o.differing == 0);
+    assert_int_equal(o.agreeing, 5); /* what failed both times was not measured twice */
+    assert_lines(&o.agreements, 5, "3.db: there already, with the same results: samples ball samples=2\n");
     rl_merge_outcome_clear(&o);
     read_file(&after, &size_after, 0);
     assert_int_equal(size, size_after);
@@ -222,7 +236,7 @@ static void test_failures_and_twice(void **state)
     f.value = 0.25;
     make(1, &f);
     check_ok(merge(1, false, &o, &error), &error);
-    assert_true(o.copied == 1 && o.known == 5 && o.differing == 5);
+    assert_true(o.copied == 1 && o.known == 5 && o.differing == 5 && o.agreeing == 0);
     assert_non_null(strstr(
         o.notes.data, "1.db: different results: samples ball samples=4: rmse is 4.25 there, kept is 4\n"));
     rl_merge_outcome_clear(&o);
@@ -286,6 +300,26 @@ static void test_mixed(void **state)
         assert_int_equal(run.record[run.n_records - 1].group, (int)run.n_records / 2 - 1);
         rl_run_clear(&run);
     }
+}
+
+/* Of many cases that are there already a few are named, and the rest counted. */
+static void test_many_twice(void **state)
+{
+    (void)state;
+    enum { MERGED = 5 }; /* times CASES: more than are named */
+    struct rl_merge_outcome o;
+    struct rl_error error;
+    struct file f = plain;
+    remove(path[0]);
+    f.state = "oooooo";
+    for (int i = 1; i <= MERGED; i++)
+        make(i, &f);
+    check_ok(merge(MERGED, false, &o, &error), &error);
+    assert_true(o.copied == CASES && o.agreeing == (size_t)(MERGED - 1) * CASES && o.differing == 0);
+    assert_true(o.agreeing > RL_MERGE_NAMED);
+    assert_lines(&o.agreements, RL_MERGE_NAMED,
+                 "2.db: there already, with the same results: samples ball samples=0\n");
+    rl_merge_outcome_clear(&o);
 }
 
 /* Another commit of the same sources is the same program; so it has the same identities. */
@@ -367,6 +401,7 @@ int main(void)
         cmocka_unit_test(test_failures_and_twice),
         cmocka_unit_test(test_mixed),
         cmocka_unit_test(test_other_commit),
+        cmocka_unit_test(test_many_twice),
         cmocka_unit_test(test_bad_files),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

@@ -164,6 +164,8 @@ check "two of three" exits 3 "$rl" study merge "$tmp/all.db" "$tmp/1/results.db"
 check "what is missing is named" said "missing: samples teapot-star series="
 check "without being told so, it is not" exits 0 "$rl" study merge "$tmp/all.db" "$tmp/1/results.db" "$tmp/2/results.db"
 check "all three, in another order" exits 0 "$rl" study merge "$tmp/all.db" "$tmp/3/results.db" "$tmp/1/results.db" "$tmp/2/results.db" --study samples
+check "what two of them had is named" said "^roughlight: $tmp/1/results.db: there already, with the same results: samples teapot-star series="
+check "once each" [ "$(grep -c "there already, with" "$tmp/stderr")" -eq "$(sed -n 's/.* copied, \([0-9]*\) there already.*/\1/p' "$tmp/stderr")" ]
 "$rl" study export --db "$tmp/all.db" -o "$tmp/tables" 2>/dev/null
 check "together they are what one run gives" cmp -s "$tmp/before.tsv" "$tmp/tables/samples.tsv"
 cp "$tmp/all.db" "$tmp/once.db"
