@@ -1,5 +1,5 @@
 /* `roughlight study status`: how far each study's latest run is, scene by scene. */
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/output.h"
@@ -59,37 +59,53 @@ static int print_scene(struct rl_rows *rows, const struct rl_run *run, const cha
     return status;
 }
 
-static int print_study(struct rl_rows *rows, struct rl_database *db, const char *name, struct rl_error *error)
+static int print_study(struct rl_rows *rows, const struct rl_run *run, struct rl_error *error)
 {
-    struct rl_run run;
-    int status = rl_database_load_run(db, name, &run, error);
-    if (status != RL_OK)
-        return status;
-    const char *scene = rl_run_scene(&run, 0);
-    if (!scene)
-        status = print_scene(rows, &run, "", error);
-    for (size_t i = 0; scene && status == RL_OK; scene = rl_run_scene(&run, ++i))
-        status = print_scene(rows, &run, scene, error);
-    rl_run_clear(&run);
+    const char *scene = rl_run_scene(run, 0);
+    int status = scene ? RL_OK : print_scene(rows, run, "", error);
+    for (size_t i = 0; scene && status == RL_OK; scene = rl_run_scene(run, ++i))
+        status = print_scene(rows, run, scene, error);
     return status;
+}
+
+/* Every study's latest run, before any is printed: of a damaged file there are no rows. */
+static int load_runs(struct rl_run *run, const char *path, struct rl_error *error)
+{
+    struct rl_database *db;
+    int status = rl_database_open(&db, path, RL_DATABASE_READ, error);
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
+        status = rl_database_load_run(db, rl_studies[i]->name, &run[i], error);
+    rl_database_close(db);
+    return status;
+}
+
+static int print_all(enum rl_output format, const struct rl_run *run, struct rl_error *error)
+{
+    struct rl_rows rows;
+    int status = RL_OK;
+    rl_rows_begin(&rows, format,
+                  (const char *[]){"study", "grid", "started", "planned", "measured", "failed", "commit",
+                                   "renderer", "scene", "open", "reason", NULL});
+    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
+        status = print_study(&rows, &run[i], error);
+    rl_rows_end(&rows);
+    return status == RL_OK ? rl_output_check(error) : status;
 }
 
 int rl_study_status_command(const struct rl_arguments *a, struct rl_error *error)
 {
     enum rl_output format;
-    struct rl_database *db = NULL;
     int status = rl_argument_output(a, &format, error);
-    if (status == RL_OK)
-        status = rl_database_open(&db, rl_study_database(a), RL_DATABASE_READ, error);
     if (status != RL_OK)
         return rl_exit_of(status);
-    struct rl_rows rows;
-    rl_rows_begin(&rows, format,
-                  (const char *[]){"study", "grid", "started", "planned", "measured", "failed", "commit",
-                                   "renderer", "scene", "open", "reason", NULL});
-    for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
-        status = print_study(&rows, db, rl_studies[i]->name, error);
-    rl_rows_end(&rows);
-    rl_database_close(db);
-    return rl_exit_of(status == RL_OK ? rl_output_check(error) : status);
+    struct rl_run *run = calloc(rl_n_studies, sizeof *run);
+    if (!run)
+        return rl_exit_of(rl_fail_memory(error, "the studies' runs"));
+    status = load_runs(run, rl_study_database(a), error);
+    if (status == RL_OK)
+        status = print_all(format, run, error);
+    for (size_t i = 0; i < rl_n_studies; i++)
+        rl_run_clear(&run[i]);
+    free(run);
+    return rl_exit_of(status);
 }

@@ -60,8 +60,12 @@ static int read_metrics(struct rl_database *db, struct rl_record *r, int64_t id,
         char name[RL_NAME_MAX], unit[RL_NAME_MAX];
         rl_sql_text(s, 0, name, sizeof name);
         rl_sql_text(s, 4, unit, sizeof unit);
-        status = rl_record_metric_add(r, name, rl_sql_number(s, 1), rl_sql_number(s, 2), rl_sql_number(s, 3),
-                                      unit, error);
+        const struct rl_sql_place place = {"metrics", id, name, -1};
+        double figure[3];
+        for (int i = 0; i < 3 && status >= RL_OK; i++)
+            status = rl_sql_real(db, s, 1 + i, &figure[i], &place, error);
+        if (status == RL_OK)
+            status = rl_record_metric_add(r, name, figure[0], figure[1], figure[2], unit, error);
         if (status != RL_OK)
             break;
     }
@@ -74,8 +78,8 @@ static int read_samples(struct rl_database *db, struct rl_record *r, int64_t id,
 {
     sqlite3_stmt *s = NULL;
     int status = rl_sql_prepare(
-        db, &s, error, "SELECT series, value FROM samples WHERE case_id = ? ORDER BY series, position", "i",
-        id);
+        db, &s, error,
+        "SELECT series, value, position FROM samples WHERE case_id = ? ORDER BY series, position", "i", id);
     if (status != RL_OK)
         return status;
     double *value = NULL;
@@ -99,7 +103,10 @@ static int read_samples(struct rl_database *db, struct rl_record *r, int64_t id,
             value = grown;
         }
         snprintf(name, sizeof name, "%s", next);
-        value[n++] = rl_sql_number(s, 1);
+        const struct rl_sql_place place = {"samples", id, name, sqlite3_column_int(s, 2)};
+        status = rl_sql_real(db, s, 1, &value[n++], &place, error);
+        if (status != RL_OK)
+            break;
     }
     if (status == RL_OK && n > 0)
         status = rl_record_series_add(r, name, value, n, error);
@@ -128,8 +135,10 @@ static int read_record(struct rl_database *db, sqlite3_stmt *s, struct rl_run *r
     rl_sql_text(s, 7, word, sizeof word);
     r->status = strcmp(word, "ok") == 0 ? RL_RECORD_OK : RL_RECORD_FAILED;
     rl_sql_text(s, 8, r->message, sizeof r->message);
-    r->seconds = rl_sql_number(s, 9);
-    int status = read_metrics(db, r, id, error);
+    const struct rl_sql_place row = {"cases", id, NULL, -1};
+    int status = rl_sql_real(db, s, 9, &r->seconds, &row, error);
+    if (status == RL_OK)
+        status = read_metrics(db, r, id, error);
     return status == RL_OK ? read_samples(db, r, id, error) : status;
 }
 
@@ -179,7 +188,7 @@ int rl_database_load_times(struct rl_database *db, const char *study, struct rl_
     snprintf(run->study, sizeof run->study, "%s", study);
     sqlite3_stmt *s = NULL;
     int status = rl_sql_prepare(db, &s, error,
-                                "SELECT scene, scene_hash, parameters, identity, seconds FROM cases"
+                                "SELECT scene, scene_hash, parameters, identity, seconds, id FROM cases"
                                 " WHERE study = ? AND status = 'ok' ORDER BY id DESC",
                                 "t", study);
     if (status != RL_OK)
@@ -197,7 +206,10 @@ int rl_database_load_times(struct rl_database *db, const char *study, struct rl_
         }
         rl_sql_text(s, 3, r->identity, sizeof r->identity);
         r->status = RL_RECORD_OK;
-        r->seconds = rl_sql_number(s, 4);
+        const struct rl_sql_place row = {"cases", sqlite3_column_int64(s, 5), NULL, -1};
+        status = rl_sql_real(db, s, 4, &r->seconds, &row, error);
+        if (status != RL_OK)
+            break;
     }
     sqlite3_finalize(s);
     if (status != RL_OK)

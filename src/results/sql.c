@@ -131,10 +131,39 @@ void rl_sql_text(sqlite3_stmt *statement, int column, char *text, size_t size)
     snprintf(text, size, "%s", value ? (const char *)value : "");
 }
 
-double rl_sql_number(sqlite3_stmt *statement, int column)
+/* "row case 7, metric rmse" */
+static void place_text(char *text, size_t size, const struct rl_sql_place *p)
 {
-    return sqlite3_column_type(statement, column) == SQLITE_NULL ? NAN
-                                                                 : sqlite3_column_double(statement, column);
+    int n = snprintf(text, size, "case %lld", (long long)p->case_id);
+    if (p->name && n > 0 && (size_t)n < size)
+        n += snprintf(text + n, size - (size_t)n, ", %s %s", p->position < 0 ? "metric" : "series", p->name);
+    if (p->position >= 0 && n > 0 && (size_t)n < size)
+        snprintf(text + n, size - (size_t)n, ", position %d", p->position);
+}
+
+int rl_sql_real(const struct rl_database *db, sqlite3_stmt *statement, int column, double *value,
+                const struct rl_sql_place *place, struct rl_error *error)
+{
+    int type = sqlite3_column_type(statement, column);
+    *value = NAN;
+    if (type == SQLITE_FLOAT || type == SQLITE_INTEGER)
+        *value = sqlite3_column_double(statement, column);
+    if (type == SQLITE_FLOAT || type == SQLITE_INTEGER || type == SQLITE_NULL)
+        return RL_OK;
+    char row[192], found[64] = "bytes";
+    place_text(row, sizeof row, place);
+    if (type == SQLITE_TEXT)
+        snprintf(found, sizeof found, "the text '%.40s'",
+                 (const char *)sqlite3_column_text(statement, column));
+    /* What is not from here must not break the line. */
+    for (char *c = found; *c; c++)
+        if ((unsigned char)*c < ' ')
+            *c = '?';
+    return rl_fail(
+        error, RL_ERR_INPUT,
+        "%s: damaged: table %s, column %s, row of %s: found %s, expected a number; put it aside and "
+        "run the studies again",
+        db->path, place->table, sqlite3_column_name(statement, column), row, found);
 }
 
 int rl_sql_begin(struct rl_database *db, struct rl_error *error)

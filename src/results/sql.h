@@ -43,9 +43,21 @@ void rl_sql_forget(struct rl_database *db);
 /* The next row: 1, no more: 0, or a negative status. */
 int rl_sql_row(const struct rl_database *db, sqlite3_stmt *statement, struct rl_error *error);
 
-/* Columns of the present row; NULL becomes "" and NaN. */
+/* A column of the present row; NULL becomes "". */
 void rl_sql_text(sqlite3_stmt *statement, int column, char *text, size_t size);
-double rl_sql_number(sqlite3_stmt *statement, int column);
+
+/* Where a row comes from, for errors. */
+struct rl_sql_place {
+    const char *table;
+    int64_t case_id;
+    const char *name; /* of the metric or series; NULL: the row is the case itself */
+    int position;     /* in the series; -1: the row is no raw figure */
+};
+
+/* A REAL column; NULL becomes NaN. SQLite keeps anything in any column, so what is no number there is RL_ERR_INPUT: a number made
+ * of it would be a result that nobody measured. */
+int rl_sql_real(const struct rl_database *db, sqlite3_stmt *statement, int column, double *value,
+                const struct rl_sql_place *place, struct rl_error *error);
 
 /* Begins a transaction that may write; `end` commits it if `status` is RL_OK, else (or if that fails) undoes it. */
 int rl_sql_begin(struct rl_database *db, struct rl_error *error);

@@ -20,6 +20,7 @@
 #include "base/files.h"
 #include "model/random.h"
 #include "results/database.h"
+#include "support/check.h"
 #include "support/temporary.h"
 
 static struct temporary folder;
@@ -244,6 +245,59 @@ static void test_damaged(void **state)
     refused(path, RL_DATABASE_WRITE, "damaged");
 }
 
+/* SQLite takes a text into a column of numbers, and would read it as 0. */
+static void test_text_for_number(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *change, *words;
+    } row[] = {
+        {"UPDATE metrics SET value = 'abc' WHERE name = 'rmse'",
+         "damaged: table metrics, column value, row of case 1, metric rmse: found the text 'abc', expected a "
+         "number"},
+        {"UPDATE metrics SET low = '1e' WHERE name = 'bias'",
+         "table metrics, column low, row of case 1, metric bias: found the text '1e'"},
+        {"UPDATE metrics SET high = x'00' WHERE name = 'frame_ms'",
+         "table metrics, column high, row of case 1, metric frame_ms: found bytes"},
+        {"UPDATE samples SET value = 'a\nb' WHERE position = 7",
+         "table samples, column value, row of case 1, series frame_ms, position 7: found the text 'a?b'"},
+        {"UPDATE cases SET seconds = ''", "table cases, column seconds, row of case 1: found the text ''"},
+        {"UPDATE metrics SET value = 3", NULL}, /* a whole number is a number */
+        {"UPDATE metrics SET low = NULL", NULL},
+    };
+    char path[PATH_MAX];
+    temporary_path(&folder, path, "text.db");
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct rl_run run, back;
+        struct rl_error error = {0};
+        sqlite3 *raw = NULL;
+        remove(path);
+        make_run(&run, 1, "env");
+        struct rl_database *db = must_open(path, RL_DATABASE_WRITE);
+        assert_int_equal(rl_database_begin_run(db, &run, NULL), RL_OK);
+        measure(&run.record[0], 0);
+        assert_int_equal(rl_database_store(db, &run, 0, 1, NULL), RL_OK);
+        rl_database_close(db);
+        rl_run_clear(&run);
+        sqlite3_open(path, &raw);
+        assert_int_equal(sqlite3_exec(raw, row[i].change, NULL, NULL, NULL), SQLITE_OK);
+        sqlite3_close(raw);
+        db = must_open(path, RL_DATABASE_READ);
+        int status = rl_database_load_run(db, "samples", &back, &error);
+        if (row[i].words)
+            check_fails(status, &error, RL_ERR_INPUT, row[i].words);
+        else
+            check_ok(status, &error);
+        assert_true(!row[i].words || strstr(error.message, path));
+        rl_run_clear(&back);
+        bool of_case = row[i].words && strstr(row[i].words, "cases");
+        assert_int_equal(rl_database_load_times(db, "samples", &back, &error),
+                         of_case ? RL_ERR_INPUT : RL_OK);
+        rl_run_clear(&back);
+        rl_database_close(db);
+    }
+}
+
 static void test_one_writer(void **state)
 {
     (void)state;
@@ -389,10 +443,10 @@ static void test_killed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_done_and_replace),
-        cmocka_unit_test(test_bad_files),  cmocka_unit_test(test_damaged),
-        cmocka_unit_test(test_one_writer), cmocka_unit_test(test_disk_full),
-        cmocka_unit_test(test_killed),
+        cmocka_unit_test(test_round_trip),      cmocka_unit_test(test_done_and_replace),
+        cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_damaged),
+        cmocka_unit_test(test_text_for_number), cmocka_unit_test(test_one_writer),
+        cmocka_unit_test(test_disk_full),       cmocka_unit_test(test_killed),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
