@@ -270,6 +270,10 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"sphere-quad", "teapot-star", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "part=images", .picture = 0.044, .pixel = 1.1},
+                                       {.pattern = "part=kernel", .group = 0.5, .second = 2.7},
+                                       {.pattern = "part=points", .picture = 0.014, .pixel = 2500.0}};
+
 const struct rl_study rl_study_accuracy = {
     .name = "accuracy",
     .summary = "integrators: time and true error against tolerance; images a second; exhaustive's rate",
@@ -291,6 +295,8 @@ const struct rl_study rl_study_accuracy = {
     .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = measure,
     .judge = rl_accuracy_judge,
 };

@@ -64,6 +64,8 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"lamps", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "", .picture = 0.004, .pixel = 0.014}};
+
 const struct rl_study rl_study_bare = {
     .name = "bare",
     .summary = "a scene of diffuse and phong by its plan against a program in bare OpenGL written for it",
@@ -81,6 +83,8 @@ const struct rl_study rl_study_bare = {
     .fits = rl_bare_fits,
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_bare_measure,
     .judge = rl_bare_judge,
 };

@@ -214,6 +214,9 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=time", .picture = 0.0014, .pixel = 0.086},
+                                       {.pattern = "", .picture = 0.0022, .sample = 0.048}};
+
 const struct rl_study rl_study_bitdepth = {
     .name = "bitdepth",
     .summary = "bits of normal map, environment map and frame buffer: bias, against the noise, and time",
@@ -235,6 +238,8 @@ const struct rl_study rl_study_bitdepth = {
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_bitdepth_measure,
     .judge = rl_bitdepth_judge,
 };

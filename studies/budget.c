@@ -91,6 +91,8 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "", .group = 0.03, .sample = 0.03}};
+
 const struct rl_study rl_study_budget = {
     .name = "budget",
     .summary = "each approximation alone and all together: where the error comes from",
@@ -114,6 +116,8 @@ const struct rl_study rl_study_budget = {
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_budget_measure,
     .judge = rl_budget_judge,
 };

@@ -219,6 +219,10 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=map", .group = 0.009, .texel = 0.14},
+                                       {.pattern = "series=point", .group = 0.16, .sample = 0.075},
+                                       {.pattern = "", .group = 0.02}};
+
 const struct rl_study rl_study_distribution = {
     .name = "distribution",
     .summary = "normals of the normal map against D, by R_r, bits and size; baked random numbers against "
@@ -243,6 +247,8 @@ const struct rl_study rl_study_distribution = {
     .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = measure,
     .judge = rl_distribution_judge,
 };

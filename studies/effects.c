@@ -93,6 +93,8 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"everything", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "", .picture = 0.018, .pixel = 0.02}};
+
 const struct rl_study rl_study_effects = {
     .name = "effects",
     .summary = "price and benefit of every effect, highlight, attenuation, spheres and culling, one by one",
@@ -115,6 +117,8 @@ const struct rl_study rl_study_effects = {
     .fits = rl_effects_fits,
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_effects_measure,
     .judge = rl_effects_judge,
 };

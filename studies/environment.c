@@ -158,6 +158,9 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=parallax", .group = 0.008, .pixel = 5.5},
+                                       {.pattern = "", .group = 0.009, .pixel = 1.2, .sample = 0.011}};
+
 const struct rl_study rl_study_environment = {
     .name = "environment",
     .summary = "environment map: size, format, parallax, seams and corners of the cube",
@@ -177,6 +180,8 @@ const struct rl_study rl_study_environment = {
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .check_scene = rl_environment_check,
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_environment_measure,
     .judge = rl_environment_judge,
 };

@@ -17,6 +17,8 @@ int rl_eta_add(struct rl_eta *eta, const struct rl_run *run, size_t first, const
     struct rl_eta_group *g = &grown[eta->total++];
     *g = (struct rl_eta_group){.first = &run->record[first], .open = true};
     g->distance = rl_forecast_guess(&g->seconds, g->first, times);
+    if (g->distance < 0)
+        g->seconds = rl_forecast_first(run, first);
     return RL_OK;
 }
 

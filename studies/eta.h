@@ -1,5 +1,6 @@
 /* How long a run of studies has still to go, while it goes: each open group's time is guessed as a forecast does, from what is most
- * like it among what was measured before, and from the groups of this run as soon as they are measured.
+ * like it among what was measured before, or is the study's first estimate, and from the groups of this run as soon as they are
+ * measured.
  *
  *     struct rl_eta eta = {0};
  *     rl_eta_add(&eta, run, first, &times, &error);             every group to be measured, and what is known of its study
@@ -23,7 +24,7 @@ struct rl_eta_group {
     const struct rl_record *first; /* of its cases; stays where it is */
     bool open;
     int distance;   /* in how many values the case differs that its time is taken from; -1: there is none */
-    double seconds; /* guessed; NaN: unknown */
+    double seconds; /* guessed; a first estimate where distance is -1; NaN: unknown */
 };
 
 struct rl_eta {

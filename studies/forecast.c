@@ -11,6 +11,7 @@
 const char *rl_forecast_source_name(enum rl_forecast_source source)
 {
     static const char *const name[] = {[RL_FORECAST_UNKNOWN] = "unknown",
+                                       [RL_FORECAST_FIRST] = "first estimate",
                                        [RL_FORECAST_SIMILAR] = "similar case",
                                        [RL_FORECAST_SAME] = "same case"};
     return name[source];
@@ -66,6 +67,42 @@ int rl_forecast_guess(double *seconds, const struct rl_record *r, const struct r
     return nearest;
 }
 
+double rl_forecast_first(const struct rl_run *run, size_t first)
+{
+    const struct rl_study *study = rl_study_find(run->study);
+    if (!study)
+        return NAN;
+    return rl_cost_seconds(study->costs, study->n_costs, &run->record[first],
+                           rl_group_end(run, first) - first);
+}
+
+/* What is measured counts, before what the study says. */
+static void estimate(struct rl_forecast_entry *entry, const struct rl_run *run, size_t first,
+                     const struct rl_run *times)
+{
+    int nearest = rl_forecast_guess(&entry->group_seconds, &run->record[first], times);
+    entry->source = nearest == 0 ? RL_FORECAST_SAME : RL_FORECAST_SIMILAR;
+    if (nearest >= 0)
+        return;
+    entry->group_seconds = rl_forecast_first(run, first);
+    entry->source = isnan(entry->group_seconds) ? RL_FORECAST_UNKNOWN : RL_FORECAST_FIRST;
+}
+
+static void count_group(struct rl_forecast *f, const struct rl_forecast_entry *entry, size_t n)
+{
+    f->n_wanted += entry->wanted ? n : 0;
+    if (!entry->open)
+        return;
+    f->n_open += n;
+    f->groups_open++;
+    f->groups_unknown += entry->source == RL_FORECAST_UNKNOWN;
+    if (entry->source == RL_FORECAST_UNKNOWN)
+        return;
+    f->seconds += entry->group_seconds;
+    f->groups_first += entry->source == RL_FORECAST_FIRST;
+    f->seconds_first += entry->source == RL_FORECAST_FIRST ? entry->group_seconds : 0.0;
+}
+
 /* As the runner decides it. */
 static bool is_open(const struct rl_forecast_entry *entry, size_t n, const struct rl_run_options *options)
 {
@@ -89,20 +126,13 @@ static int look_up(struct rl_forecast *f, const struct rl_run_options *options, 
             status = rl_database_state(db, run->record[i].identity, &f->entry[i].state, error);
         entry->wanted = rl_group_wanted(run, first, options);
         entry->open = entry->wanted && is_open(entry, end - first, options);
-        int nearest = rl_forecast_guess(&entry->group_seconds, &run->record[first], times);
-        entry->source = nearest < 0    ? RL_FORECAST_UNKNOWN
-                        : nearest == 0 ? RL_FORECAST_SAME
-                                       : RL_FORECAST_SIMILAR;
+        estimate(entry, run, first, times);
         for (size_t i = first + 1; i < end; i++) {
             enum rl_record_status state = f->entry[i].state;
             f->entry[i] = *entry;
             f->entry[i].state = state;
         }
-        f->n_wanted += entry->wanted ? end - first : 0;
-        f->n_open += entry->open ? end - first : 0;
-        f->groups_open += entry->open;
-        f->groups_unknown += entry->open && isnan(entry->group_seconds);
-        f->seconds += entry->open && !isnan(entry->group_seconds) ? entry->group_seconds : 0.0;
+        count_group(f, entry, end - first);
     }
     return status;
 }

@@ -352,6 +352,10 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {
+    {.pattern = "series=exhaustive", .group = 0.36, .picture = 0.0022, .pixel = 0.54},
+    {.pattern = "", .picture = 0.0035, .sample = 0.0027, .second = 0.06}};
+
 const struct rl_study rl_study_fps = {
     .name = "fps",
     .summary = "frames a second of plain, regular 13 and random 4: the paper's Table 1; what costs how much",
@@ -374,6 +378,8 @@ const struct rl_study rl_study_fps = {
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .check = rl_fps_check,
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_fps_measure,
     .derive = rl_fps_derive,
     .judge = rl_fps_judge,

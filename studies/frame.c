@@ -148,6 +148,9 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"sphere-quad", "teapot-star", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=lobe", .pixel = 90.0, .sample = 0.18},
+                                       {.pattern = "", .pixel = 16.0}};
+
 const struct rl_study rl_study_frame = {
     .name = "frame",
     .summary = "the tangent frame as printed against an orthonormal one: width of the lobe, highlight, whole "
@@ -170,6 +173,8 @@ const struct rl_study rl_study_frame = {
     .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_frame_measure,
     .judge = rl_frame_judge,
 };

@@ -237,6 +237,9 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const no_scenes[] = {NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=time", .picture = 0.001, .pixel = 0.038},
+                                       {.pattern = "", .group = 0.06, .picture = 0.0073}};
+
 const struct rl_study rl_study_interpolation = {
     .name = "interpolation",
     .summary = "constant, Gouraud and Phong shading: error against triangles, Mach bands, time",
@@ -259,6 +262,8 @@ const struct rl_study rl_study_interpolation = {
     .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_interpolation_measure,
     .derive = rl_interpolation_derive,
     .judge = rl_interpolation_judge,

@@ -246,6 +246,9 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=filled", .picture = 0.001},
+                                       {.pattern = "", .group = 0.044, .picture = 0.0025, .pixel = 0.15}};
+
 const struct rl_study rl_study_margin = {
     .name = "margin",
     .summary =
@@ -269,6 +272,8 @@ const struct rl_study rl_study_margin = {
     .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_margin_measure,
     .judge = rl_margin_judge,
 };

@@ -192,6 +192,8 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "", .picture = 0.0005, .pixel = 0.6, .texel = 0.3}};
+
 const struct rl_study rl_study_roughness = {
     .name = "roughness",
     .summary = "error of every method over R_r = 1 to 1000; random normals needed for an RMSE of 1/255",
@@ -209,6 +211,8 @@ const struct rl_study rl_study_roughness = {
     .n_figures = sizeof figures / sizeof figures[0],
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_roughness_measure,
     .judge = rl_roughness_judge,
 };

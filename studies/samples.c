@@ -233,6 +233,8 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"teapot-star", "sphere-quad", "three-lights", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "", .picture = 0.0055, .sample = 0.023}};
+
 const struct rl_study rl_study_samples = {
     .name = "samples",
     .summary = "method x number of samples against error and time; noise and bias apart",
@@ -252,6 +254,8 @@ const struct rl_study rl_study_samples = {
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .check = rl_seeds_check,
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_samples_measure,
     .judge = rl_samples_judge,
 };

@@ -20,6 +20,7 @@
 #include "scene/scene.h"
 #include "studies/axis.h"
 #include "studies/bench.h"
+#include "studies/cost.h"
 
 /* How much of a study's grid is measured. */
 enum rl_grid {
@@ -75,6 +76,9 @@ struct rl_study {
     /* What of swept cases only this study can tell, and whether the scene allows for it (RL_ERR_INPUT: why not); either NULL: nothing. */
     rl_parameters_check *check;
     int (*check_scene)(const char *parameters, const struct rl_scene *scene, struct rl_error *error);
+    /* What its groups take, where nothing is known of them yet; none: that is not known either. */
+    const struct rl_cost *costs;
+    size_t n_costs;
     /* Measures the n records of one group: fills metrics and series. An error makes the group's cases failed ones. `scene` is NULL
      * for those of plan_alone. */
     int (*measure)(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,

@@ -173,6 +173,8 @@ static int fits(const struct rl_scene *scene, struct rl_error *error)
 
 static const char *const scenes[] = {"layers", "three-lights", "lamps", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "", .group = 0.028, .picture = 0.0055, .pixel = 0.033}};
+
 const struct rl_study rl_study_visibility = {
     .name = "visibility",
     .summary =
@@ -199,6 +201,8 @@ const struct rl_study rl_study_visibility = {
     .fits = fits,
     .plan = plan,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_visibility_measure,
     .judge = rl_visibility_judge,
 };

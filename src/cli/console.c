@@ -24,8 +24,7 @@ static bool cancelled(void *user)
     return interrupted != 0;
 }
 
-/* "45 s", "12 min 05 s", "2 h 40 min"; "?" for NaN. */
-static void print_time(char *text, size_t size, double seconds)
+void rl_console_time(char *text, size_t size, double seconds)
 {
     if (isnan(seconds))
         snprintf(text, size, "?");
@@ -41,7 +40,7 @@ static void print_time(char *text, size_t size, double seconds)
 static void print_overall(char *text, size_t size, const struct rl_console *c)
 {
     char time[32];
-    print_time(time, sizeof time, c->left);
+    rl_console_time(time, sizeof time, c->left);
     text[0] = '\0';
     if (c->total > 0 && c->done < c->total)
         snprintf(text, size, "; of all: %zu of %zu, about %s left", c->done, c->total, time);
@@ -71,7 +70,7 @@ static void update_line(struct rl_console *c, const char *what, size_t done, siz
         return;
     c->shown = now;
     print_overall(overall, sizeof overall, c);
-    print_time(time, sizeof time, done ? elapsed / (double)done * (double)(total - done) : NAN);
+    rl_console_time(time, sizeof time, done ? elapsed / (double)done * (double)(total - done) : NAN);
     if (ended)
         fprintf(stderr, "\r\033[K%s: %zu of %zu in %.1f s\n", what, done, total, elapsed);
     else if (overall[0]) /* its guess of what is left is the better one */
@@ -109,7 +108,7 @@ static void overall(void *user, size_t done, size_t total, double seconds_left)
 {
     struct rl_console *c = user;
     char time[32];
-    print_time(time, sizeof time, seconds_left);
+    rl_console_time(time, sizeof time, seconds_left);
     if (done == 0 && seconds_left >= announced)
         fprintf(stderr, "%zu cases to measure, in about %s\n", total, time);
     c->done = done;

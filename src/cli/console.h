@@ -29,4 +29,7 @@ struct rl_console {
 const struct rl_progress *rl_console_begin(struct rl_console *console);
 void rl_console_end(struct rl_console *console);
 
+/* "45 s", "12 min 05 s", "2 h 40 min"; "?" for NaN. */
+void rl_console_time(char *text, size_t size, double seconds);
+
 #endif

@@ -167,13 +167,29 @@ static void print_forecast(struct rl_rows *rows, const struct rl_forecast *f)
     }
 }
 
-/* "36 cases, 12 to be measured in 3 groups: about 20 s" and what is not in that sum. */
+/* A guess, so no more than two digits of what is short. */
+static void print_guess(char *text, size_t size, double seconds)
+{
+    if (seconds < 10.0)
+        snprintf(text, size, "%.2g s", seconds);
+    else
+        rl_console_time(text, size, seconds);
+}
+
+/* "36 cases, 12 to be measured in 3 groups: about 20 s; not measured here yet", and what is not in that sum. */
 static void print_sum(const struct rl_forecast *sum)
 {
+    char all[32], first[32];
+    print_guess(all, sizeof all, sum->seconds);
+    print_guess(first, sizeof first, sum->seconds_first);
     fprintf(stderr, "dry run: %zu cases, %zu to be measured in %zu groups", sum->n_wanted, sum->n_open,
             sum->groups_open);
     if (sum->groups_open > sum->groups_unknown)
-        fprintf(stderr, ": about %.3g s", sum->seconds);
+        fprintf(stderr, ": about %s", all);
+    if (sum->groups_first > 0 && sum->groups_first + sum->groups_unknown == sum->groups_open)
+        fprintf(stderr, "; not measured here yet");
+    else if (sum->groups_first > 0)
+        fprintf(stderr, ", %s of it in groups unlike any measured here yet (%zu)", first, sum->groups_first);
     if (sum->groups_unknown > 0)
         fprintf(stderr, "%s the time of %zu groups is unknown (nothing like them was measured)",
                 sum->groups_open > sum->groups_unknown ? ", and" : ":", sum->groups_unknown);
@@ -202,7 +218,9 @@ static int dry_run(const struct request *r, enum rl_output format, struct rl_err
         sum.n_open += f.n_open;
         sum.groups_open += f.groups_open;
         sum.groups_unknown += f.groups_unknown;
+        sum.groups_first += f.groups_first;
         sum.seconds += f.seconds;
+        sum.seconds_first += f.seconds_first;
         rl_forecast_clear(&f);
     }
     rl_bench_close(&bench);

@@ -89,7 +89,8 @@ check "none of this leaves a file" [ -z "$(find "$tmp" -name '*.db*')" ]
 # shellcheck disable=SC2086
 check "a dry run of nothing done" exits 0 "$rl" study run $one --dry-run --db "$db"
 mv "$tmp/stdout" "$tmp/dry.tsv"
-check "counts the cases" said "^dry run: 14 cases, 14 to be measured in 9 groups: the time of 9 groups is unknown"
+check "counts the cases" said "^dry run: 14 cases, 14 to be measured in 9 groups: about [0-9.]* s; not measured here yet$"
+check "of a first estimate each" [ "$(column seconds_from "$tmp/dry.tsv" | sort -u)" = "first estimate" ]
 check "lists them" [ "$(column state "$tmp/dry.tsv" | sort | uniq -c | tr -s ' ')" = " 14 open" ]
 # shellcheck disable=SC2086
 check "a study named twice counts once" exits 0 "$rl" study run samples $one --dry-run --db "$db"
@@ -119,6 +120,9 @@ check "in JSON too" [ "$(grep -c '"state": "done", "measure": "no".*"seconds_fro
 check "a dry run of similar cases" exits 0 "$rl" study run $one --axis tolerance=1e-3 --dry-run --db "$db"
 check "estimates their time" said "^dry run: 14 cases, 14 to be measured in 9 groups: about [0-9.]* s$"
 check "and says from what" [ "$(column seconds_from "$tmp/stdout" | sort -u)" = "similar case" ]
+# shellcheck disable=SC2086
+check "one of these and of a study that was not run" exits 0 "$rl" study run samples bare --quick --axis width=32 --axis height=24 --dry-run --db "$db"
+check "tells what is a first estimate" said "^dry run: .* groups: about .* s, [0-9.]* s of it in groups unlike any measured here yet (1)$"
 
 # ---- Measuring again ---------------------------------------------------------------------------------------------
 
