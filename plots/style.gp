@@ -38,9 +38,11 @@ set datafile missing NaN
 # frame, and marks stand just above it, with an arrow from the mark down to the frame. edge_of() is told the ends of the axis' range
 # and gives the lower one. Plots draw the mark at standing(x), its bar's ends at ended(x), and then
 # using ...:(sunk(x)):(0):(fall(0)) with vectors arrowstyle i, i being the line type; on an axis across (sunk(x)):...:(fall(0)):(0).
+# Lines are drawn through above(x), which leaves such points out: how steeply a curve comes down to nothing was not measured.
 edge_of(low, high) = (edge = low, foot = low * (high / low) ** 0.045, low)
 standing(x) = x <= edge ? foot : x
 ended(x) = x <= edge ? edge : x
+above(x) = x <= edge ? 1 / 0 : x
 sunk(x) = x <= edge ? foot : NaN
 fall(any) = edge - foot
 do for [i = 1:9] { set style arrow i head filled size screen 0.008, 25 linetype i dashtype 1 linewidth 1 }
