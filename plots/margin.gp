@@ -68,15 +68,20 @@ if (figure eq "missed") {
     # Before ranges are set, since these hold for what is looked at too.
     stats data using ((fixed(strcol("series"), strcol("arm")) || is_auto(strcol("arm"))) ? column("margin") : NaN) name "M" nooutput
     set yrange [edge_of(lowest, 1):1]
-    set xrange [-0.04 * M_max:1.05 * M_max]
+    set xrange [-0.04 * M_max:1.1 * M_max]
     set label 1 "1 %" at graph 0.995, first 0.0118 right textcolor rgb "#6a7076" font ",12"
-    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))):(ended(column("missed_low"))):(ended(column("missed_high"))) \
-            with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
-        for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN):(sunk(column("missed"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))) \
-            with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(sunk(column("missed"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
-        for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? column("margin") : NaN):(standing(column("missed"))):(word(rr_list, i)) \
+    shown(i) = fixed(strcol("series"), strcol("arm")) && at(i) ? column("margin") : NaN
+    # What is missed nowhere would lie on one spot.
+    beside(i) = shown(i) + (column("missed") <= edge ? 0.012 * M_max * (i - 0.5 * (words(rr_list) + 1)) : 0)
+    chosen(i) = is_auto(strcol("arm")) && at(i) ? column("margin") : NaN
+    plot for [i = 1:words(rr_list)] data using (shown(i)):(above(column("missed"))) with linespoints linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
+        for [i = 1:words(rr_list)] data using (beside(i)):(standing(column("missed"))):(ended(column("missed_low"))):(ended(column("missed_high"))) \
+            with yerrorbars linetype i dashtype 1 pointsize 0.9 notitle, \
+        for [i = 1:words(rr_list)] data using (beside(i)):(sunk(column("missed"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (chosen(i)):(standing(column("missed"))):(ended(column("missed_low"))):(ended(column("missed_high"))) \
+            with yerrorbars linetype i dashtype 1 pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
+        for [i = 1:words(rr_list)] data using (chosen(i)):(sunk(column("missed"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
+        for [i = 1:words(rr_list)] data using (chosen(i)):(standing(column("missed"))):(word(rr_list, i)) \
             with labels offset 1.2, 0 left font ",12" notitle, \
         0.01 with lines linestyle 90 notitle
 }
@@ -91,9 +96,11 @@ if (figure eq "trade") {
     stats data using (strcol("scene") eq scene && column("spheres") > 0 && column("time_to_off") > 0 ? column("time_to_off") : NaN) name "T" nooutput
     if (!exists("T_max")) { exit status 3 }
     set yrange [0:(T_max > 1.1 ? 1.1 * T_max : 1.2)]
-    set label 1 "no time saved" at graph 0.005, first 1.02 left textcolor rgb "#6a7076" font ",12"
-    plot for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? standing(column("missed")) : NaN):"time_to_off":"time_to_off_low":"time_to_off_high" \
-            with yerrorlines linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
+    set label 1 "no time saved" at graph 0.005, first 1 left offset 0, 0.6 textcolor rgb "#6a7076" font ",12"
+    shown(i, missed) = fixed(strcol("series"), strcol("arm")) && at(i) ? missed : NaN
+    plot for [i = 1:words(rr_list)] data using (shown(i, above(column("missed")))):"time_to_off" with linespoints linetype i pointsize 0.9 title "R_r " . word(rr_list, i), \
+        for [i = 1:words(rr_list)] data using (shown(i, standing(column("missed")))):"time_to_off":"time_to_off_low":"time_to_off_high" \
+            with yerrorbars linetype i dashtype 1 pointsize 0.9 notitle, \
         for [i = 1:words(rr_list)] data using (fixed(strcol("series"), strcol("arm")) && at(i) ? sunk(column("missed")) : NaN):"time_to_off":(fall(0)):(0) with vectors arrowstyle i notitle, \
         for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? standing(column("missed")) : NaN):"time_to_off" \
             with points linetype i pointtype 6 pointsize 2 title i == words(rr_list) ? "auto, with its R_r" : "", \
@@ -101,7 +108,7 @@ if (figure eq "trade") {
         for [i = 1:words(rr_list)] data using (is_auto(strcol("arm")) && at(i) ? standing(column("missed")) : NaN):"time_to_off":(word(rr_list, i)) \
             with labels offset 1.2, 0 left font ",12" notitle, \
         data using (fixed(strcol("series"), strcol("arm")) && at(words(rr_list)) && (column("margin") == 0 || column("margin") == 0.5 || column("margin") == 1) ? standing(column("missed")) : NaN):"time_to_off":(sprintf("%g", column("margin"))) \
-            with labels offset 0, -1 font ",11" notitle, \
+            with labels left offset 0.6, -0.6 font ",11" notitle, \
         1 with lines linestyle 90 notitle
 }
 
