@@ -125,12 +125,21 @@ if (figure eq "time") {
     set ylabel "RMSE of linear radiance (full scale 1)"
     set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
     set format x "%g"
-    stats data using (strcol("scene") eq scene && column("frame_ms") > 0 ? column("frame_ms") : NaN) name "MS" nooutput
-    if (!exists("MS_min")) { exit status 3 }
-    set xrange [MS_min / 1.5:MS_max * 1.8]
-    low = (RMSE_min < step ? RMSE_min : step) / 1.5
-    set yrange [edge_of(low, RMSE_max * 1.5):RMSE_max * 1.5]
     timed(setting, method) = row("methods", setting, method) && column("rr") == central && column("frame_ms") > 0
+    shown(x) = timed("paper", "random") || timed("paper", "regular") || timed("fine", "random") || timed("fine", "regular") ? x : NaN
+    stats data using (shown(column("frame_ms_low"))) name "LEFT" nooutput
+    stats data using (shown(column("frame_ms_high"))) name "RIGHT" nooutput
+    stats data using (shown(column("rmse"))) name "E" nooutput
+    if (!exists("E_min")) { exit status 3 }
+    set xrange [LEFT_min / 1.2:RIGHT_max * 1.2]
+    # Within a decade there are few powers of ten; 1/255 is shown where the errors come near it.
+    low = (E_min < 2.5 * step && E_min > step ? step : E_min) / 1.2
+    set yrange [edge_of(low, E_max * 1.25):E_max * 1.25]
+    if (E_max / low < 100) {
+        set format y "%g"
+        set ytics (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.003, 0.005, 0.007, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.2, 0.3, 0.5, 1)
+        if (E_max / low < 6) { set ytics add (0.004, 0.006, 0.008, 0.009, 0.015, 0.025, 0.04, 0.06, 0.08, 0.09, 0.12, 0.15, 0.25, 0.4) }
+    }
     settings_of(s) = s eq "paper" ? "the paper's settings" : s . " settings"
     # Line types of regular and random, setting by setting; numbers of the first setting, in the colours of both curves.
     type(i, random) = 2 * i - 1 + (random ? 0 : 1)
@@ -138,16 +147,17 @@ if (figure eq "time") {
     named(n) = n == 1 || n == 4 || n == 13 || n == 64 || n == 256 || n == 1024
     last_ms = NaN
     last_rmse = NaN
-    off(ms, rmse) = abs(log(ms / last_ms)) / log(2.7 * MS_max / MS_min) + abs(log(rmse / last_rmse)) / log(RMSE_max * 1.5 / low)
-    note_label(ms, rmse) = off(ms, rmse) < 0.05 ? NaN : (last_ms = ms, last_rmse = rmse, ms)
+    off(ms, rmse) = abs(log(ms / last_ms)) / log(RIGHT_max / LEFT_min) + abs(log(rmse / last_rmse)) / log(E_max * 1.5 / low)
+    note_label(ms, rmse) = off(ms, rmse) < 0.04 ? NaN : (last_ms = ms, last_rmse = rmse, ms)
     labelled(method) = timed("paper", method) && named(column("samples")) ? note_label(column("frame_ms"), column("rmse")) : NaN
-    plot for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "regular") ? column("frame_ms") : NaN):"rmse" \
-            with linespoints linetype type(i, 0) dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular, " . settings_of(word(timed_settings, i)), \
-        for [i = 1:words(timed_settings)] data using (timed(word(timed_settings, i), "random") ? column("frame_ms") : NaN):"rmse":"frame_ms_low":"frame_ms_high":(ended(column("rmse_low"))):"rmse_high" \
-            with xyerrorlines linetype type(i, 1) dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random, " . settings_of(word(timed_settings, i)), \
+    # Bars are thinner than the curves that they belong to, since those of neighbours overlap on a machine that is not quiet.
+    plot for [i = 1:words(timed_settings)] for [k = 0:1] data using (timed(word(timed_settings, i), k ? "random" : "regular") ? column("frame_ms") : NaN):(standing(column("rmse"))):"frame_ms_low":"frame_ms_high":(ended(column("rmse_low"))):(ended(column("rmse_high"))) \
+            with xyerrorbars linetype type(i, k) dashtype 1 linewidth 0.5 pointtype 2 * i + 2 + k pointsize 0.9 notitle, \
+        for [i = 1:words(timed_settings)] for [k = 0:1] data using (timed(word(timed_settings, i), k ? "random" : "regular") ? column("frame_ms") : NaN):(above(column("rmse"))) \
+            with linespoints linetype type(i, k) dashtype 2 - k pointtype 2 * i + 2 + k pointsize 0.9 title (k ? "random, " : "regular, ") . settings_of(word(timed_settings, i)), \
         data using (labelled("random")):"rmse":(sprintf("%g", column("samples"))) \
-            with labels offset 0.9, 0.7 font ",12" textcolor rgb "#0072b2" notitle, \
+            with labels center offset 0, 0.75 font ",12" textcolor rgb "#0072b2" notitle, \
         data using (labelled("regular")):"rmse":(sprintf("%g", column("samples"))) \
-            with labels offset -0.5, -0.8 font ",12" textcolor rgb "#b34a00" notitle, \
-        step with lines linestyle 90 title "1/255"
+            with labels center offset 0, -0.75 font ",12" textcolor rgb "#b34a00" notitle, \
+        (low <= step ? step : 1 / 0) with lines linestyle 90 title low <= step ? "1/255" : ""
 }
