@@ -48,28 +48,35 @@ if (figure eq "format") {
     set title sprintf("Error by the texels' format: %s, %g texels a face edge", at, SIZE_max)
     stats data using (row("format") && column("base") == 0 ? column("rmse_map") : NaN) name "RMSE" nooutput
     if (!exists("RMSE_max")) { exit status 3 }
-    set xlabel "RMSE of linear radiance against 32-bit floats (full scale 1)"
-    set logscale x
-    set format x "10^{%L}"
-    low = edge_of(1e-8, 1e-2)
-    set xrange [low:1e-2]
     set yrange [-0.7:4.9]
     set lmargin 16
     set rmargin 6
     set grid noytics
     place(f) = f eq "rgba16f" ? 0 : f eq "rgba16" ? 1 : f eq "r11g11b10f" ? 2 : f eq "rgb10a2" ? 3 : 4
     set ytics ("rgba16f" 0, "rgba16" 1, "r11g11b10f" 2, "rgb10a2" 3, "rgba8" 4)
+    set xlabel "RMSE of linear radiance against 32-bit floats (full scale 1)"
+    here(f) = row("format") && column("base") == 0 ? place(f) : NaN
+    if (RMSE_max == 0) {
+        # No scale, where there is nothing to be read from it.
+        unset grid
+        set xtics ("0" 0)
+        set xrange [-1:1]
+        set label 2 "exact in every format: not one pixel changes" at 0, -0.35 center
+        plot data using (0):(here(strcol("env_format"))) with points linetype 1 pointtype 7 pointsize 1.3 title "RMSE"
+        exit
+    }
+    set logscale x
+    set format x "10^{%L}"
+    low = edge_of(1e-8, 1e-2)
+    set xrange [low:1e-2]
     set label 2 "1/255" at step, 4.8 center textcolor rgb "#6a7076" font ",12"
     set arrow 1 from step, -0.7 to step, 4.6 nohead linestyle 90
-    set style fill solid 0.85
-    here(f) = row("format") && column("base") == 0 ? place(f) : NaN
-    plot data using (low):(here(strcol("env_format"))):(low):(ended(column("rmse_map"))):(here(strcol("env_format")) - 0.3):(here(strcol("env_format")) + 0.3) \
-            with boxxyerror linecolor rgb "#0072b2" title "RMSE", \
-        data using (standing(column("rmse_map"))):(here(strcol("env_format"))):(ended(column("rmse_map_low"))):(ended(column("rmse_map_high"))) \
-            with xerrorbars linetype 2 dashtype 1 pointsize 0.4 title "95 % interval over seeds", \
-        data using (sunk(column("rmse_map"))):(here(strcol("env_format"))):(fall(0)):(0) with vectors arrowstyle 2 notitle, \
-        data using (standing(column("rmse_map_high")) * 1.15):(here(strcol("env_format"))):(column("rmse_map") > low ? sprintf("%.2g", column("rmse_map")) : column("rmse_map") > 0 ? "< 1e-8" : "0") \
-            with labels left font ",12" notitle
+    # Marks: on a logarithmic axis a bar would have no foot to stand on, and its length no meaning.
+    plot data using (standing(column("rmse_map"))):(here(strcol("env_format"))):(ended(column("rmse_map_low"))):(ended(column("rmse_map_high"))) \
+            with xerrorbars linetype 1 dashtype 1 pointsize 1.3 title "RMSE, 95 % interval over seeds", \
+        data using (sunk(column("rmse_map"))):(here(strcol("env_format"))):(fall(0)):(0) with vectors arrowstyle 1 notitle, \
+        data using (standing(column("rmse_map_high"))):(here(strcol("env_format"))):(column("rmse_map") > low ? sprintf("%.2g", column("rmse_map")) : column("rmse_map") > 0 ? "< 1e-8" : "0") \
+            with labels left offset 1.3, 0 font ",12" notitle
 }
 
 if (figure eq "parallax") {
