@@ -77,6 +77,12 @@ static void test_flips(void **state)
     assert_int_equal(judge(w, plain).verdict, RL_VERDICT_FAILS);
     w.plain = w.random / 13.9;
     assert_int_equal(judge(w, plain).verdict, RL_VERDICT_HOLDS);
+    w.again = 1.3 * w.random; /* equal arms differ by more than the margin of a quarter */
+    assert_int_equal(judge(w, plain).verdict, RL_VERDICT_INCONCLUSIVE);
+    w.plain = w.random / 11.0; /* too fast by a fifth, and three tenths are chance */
+    assert_int_equal(judge(w, plain).verdict, RL_VERDICT_INCONCLUSIVE);
+    w.plain = w.random / 5.0;
+    assert_int_equal(judge(w, plain).verdict, RL_VERDICT_FAILS);
 
     static const char real_time[] = "random 4 reaches 24 frames/s";
     w = usual;
@@ -100,6 +106,11 @@ static void test_flips(void **state)
     assert_int_equal(judge(w, environment).verdict, RL_VERDICT_HOLDS);
     w.environment = 20.0;
     assert_int_equal(judge(w, environment).verdict, RL_VERDICT_FAILS);
+    w.again = 9.9; /* equal arms differ by a tenth: less than that is no difference, in either direction */
+    w.environment = 8.5;
+    assert_int_equal(judge(w, environment).verdict, RL_VERDICT_INCONCLUSIVE);
+    w.environment = 9.5;
+    assert_int_equal(judge(w, environment).verdict, RL_VERDICT_INCONCLUSIVE);
 }
 
 /* A machine that is three times as slow for a third of the run: ratios within a round do not notice. */
@@ -123,6 +134,8 @@ static void test_missing(void **state)
     w.again = 0.0; /* without a noise floor no difference can be told from chance */
     assert_int_equal(judge(w, "faster than 13 regular").verdict, RL_VERDICT_INCONCLUSIVE);
     assert_int_equal(judge(w, "the clock is fair").verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_int_equal(judge(w, "the light's shape costs a factor").verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_int_equal(judge(w, "drawing the environment map anew").verdict, RL_VERDICT_INCONCLUSIVE);
 }
 
 static int count(const struct rl_run *run, const char *pattern)
