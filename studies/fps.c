@@ -276,6 +276,7 @@ static const struct rl_column columns[] = {
     {"cap_s", RL_COLUMN_NUMBER, "seconds"},
     {"time_precision", RL_COLUMN_VALUE, "time_precision"},
     {"time_precise", RL_COLUMN_VALUE, "time_precise"},
+    {"time_capped", RL_COLUMN_VALUE, "time_capped"},
     {"drawn_px", RL_COLUMN_VALUE, "drawn_px"},
     {"env_maps", RL_COLUMN_VALUE, "env_maps"},
     {"normal_maps", RL_COLUMN_VALUE, "normal_maps"},

@@ -5,23 +5,9 @@
 
 #include "measure/statistics.h"
 #include "studies/fps.h"
-#include "studies/judging.h"
+#include "studies/fps_notes.h"
 
-/* One scene: what was measured, and the models fitted to it. */
-struct costs {
-    struct rl_judging measured, models;
-};
-
-/* Whoever reads a model's figure reads the cases that it was fitted to. */
-static const struct rl_metric *model_metric(const struct costs *k, const char *model, const char *metric)
-{
-    char pattern[64];
-    snprintf(pattern, sizeof pattern, "model=%s", model);
-    rl_fps_read_cases(k->measured.run, k->measured.scene, model);
-    return rl_judging_metric(&k->models, pattern, metric);
-}
-
-static struct rl_claim *begin_claim(const struct costs *k, const char *figure, const char *text)
+static struct rl_claim *begin_claim(const struct rl_fps_costs *k, const char *figure, const char *text)
 {
     struct rl_claim *c = rl_judging_claim(&k->measured, text);
     if (c)
@@ -30,9 +16,9 @@ static struct rl_claim *begin_claim(const struct costs *k, const char *figure, c
 }
 
 /* How far apart two arms of the same work were beside this model's cases; infinite: nobody knows. */
-static double noise_floor(const struct costs *k, const char *model)
+static double noise_floor(const struct rl_fps_costs *k, const char *model)
 {
-    const struct rl_metric *m = model_metric(k, model, "noise_floor");
+    const struct rl_metric *m = rl_fps_model_metric(k, model, "noise_floor");
     return m ? m->value : INFINITY;
 }
 
@@ -44,45 +30,8 @@ static enum rl_verdict at_most(struct rl_interval x, double bound, double floor)
     return x.low - floor > bound ? RL_VERDICT_FAILS : RL_VERDICT_INCONCLUSIVE;
 }
 
-/* Adds ", b 1.25 ns" with its interval. */
-static void note_term(struct rl_claim *c, const struct rl_metric *m, const char *name)
-{
-    size_t used = strlen(c->note);
-    if (m)
-        snprintf(c->note + used, sizeof c->note - used, "%s%s %.3g [%.3g, %.3g] %s", used ? "; " : "", name,
-                 m->value, m->low, m->high, m->unit);
-}
-
-static void note_fit(struct rl_claim *c, const struct costs *k, const char *model)
-{
-    static const char *const term[] = {"constant_ms",      "per_pixel_ns",       "per_drawn_pixel_ns",
-                                       "per_sample_ns",    "per_texel_ns",       "per_object_us",
-                                       "per_roughness_us", "per_texel_normal_ns"};
-    int n = 0;
-    for (size_t i = 0; i < sizeof term / sizeof term[0]; i++) {
-        const struct rl_metric *m = model_metric(k, model, term[i]);
-        const char name[2] = {(char)('a' + n), '\0'};
-        note_term(c, m, name);
-        n += m != NULL;
-    }
-    static const char *const worst[][2] = {{"worst_width", "width"},
-                                           {"worst_samples", "N"},
-                                           {"worst_env_size", "map"},
-                                           {"worst_objects", "objects"},
-                                           {"worst_roughnesses", "roughnesses"}};
-    const struct rl_metric *r2 = model_metric(k, model, "r2");
-    size_t used = strlen(c->note);
-    if (r2)
-        used += (size_t)snprintf(c->note + used, sizeof c->note - used, "; R^2 %.5g; worst:", r2->value);
-    for (size_t i = 0; i < sizeof worst / sizeof worst[0] && used < sizeof c->note; i++) {
-        const struct rl_metric *m = model_metric(k, model, worst[i][0]);
-        if (m)
-            used += (size_t)snprintf(c->note + used, sizeof c->note - used, " %s %g", worst[i][1], m->value);
-    }
-}
-
 /* Whether a model describes its series. A residual within what equal arms differ by is no fault of the model. */
-static int claim_fit(const struct costs *k, const char *model, const char *figure, const char *text)
+static int claim_fit(const struct rl_fps_costs *k, const char *model, const char *figure, const char *text)
 {
     static const double bound = 0.05;
     char words[200];
@@ -90,11 +39,12 @@ static int claim_fit(const struct costs *k, const char *model, const char *figur
     struct rl_claim *c = begin_claim(k, figure, words);
     if (!c)
         return RL_ERR_SYSTEM;
-    const struct rl_metric *worst = model_metric(k, model, "worst_residual");
+    const struct rl_metric *worst = rl_fps_model_metric(k, model, "worst_residual");
+    rl_fps_note_refusal(c, k, model);
     if (!worst)
         return RL_OK;
     rl_claim_value(c, worst->value, worst->low, worst->high, "of the time");
-    note_fit(c, k, model);
+    rl_fps_note_fit(c, k, model);
     if (worst->high <= bound)
         c->verdict = RL_VERDICT_HOLDS;
     else if (worst->low - noise_floor(k, model) > bound)
@@ -102,7 +52,7 @@ static int claim_fit(const struct costs *k, const char *model, const char *figur
     return RL_OK;
 }
 
-static int claim_fits(const struct costs *k)
+static int claim_fits(const struct rl_fps_costs *k)
 {
     static const struct {
         const char *model, *figure, *text;
@@ -126,17 +76,19 @@ static int claim_fits(const struct costs *k)
 }
 
 /* One model's coefficient over another's, at most `bound`. */
-static int claim_ratio(const struct costs *k, const char *figure, const char *text, const char *a,
+static int claim_ratio(const struct rl_fps_costs *k, const char *figure, const char *text, const char *a,
                        const char *b, const char *metric, double bound, const char *unit)
 {
     struct rl_claim *c = begin_claim(k, figure, text);
     if (!c)
         return RL_ERR_SYSTEM;
-    const struct rl_metric *x = model_metric(k, a, metric), *y = model_metric(k, b, metric);
+    const struct rl_metric *x = rl_fps_model_metric(k, a, metric), *y = rl_fps_model_metric(k, b, metric);
+    rl_fps_note_refusal(c, k, a);
+    rl_fps_note_refusal(c, k, b);
     if (!x || !y)
         return RL_OK;
-    note_term(c, x, a);
-    note_term(c, y, b);
+    rl_fps_note_term(c, x, a);
+    rl_fps_note_term(c, y, b);
     if (!(y->low > 0.0)) /* the divisor may be nothing: so may be anything the ratio */
         return RL_OK;
     rl_judging_ratio(c, x, y, unit);
@@ -145,24 +97,25 @@ static int claim_ratio(const struct costs *k, const char *figure, const char *te
 }
 
 /* One more of something, in parts of what the highlight adds with one. */
-static int claim_one_more(const struct costs *k, const char *text, const char *model, double bound)
+static int claim_one_more(const struct rl_fps_costs *k, const char *text, const char *model, double bound)
 {
     struct rl_claim *c = begin_claim(k, "roughness", text);
     if (!c)
         return RL_ERR_SYSTEM;
-    const struct rl_metric *constant = model_metric(k, model, "constant_ms");
-    const struct rl_metric *each = model_metric(k, model, "per_roughness_us");
+    const struct rl_metric *constant = rl_fps_model_metric(k, model, "constant_ms");
+    const struct rl_metric *each = rl_fps_model_metric(k, model, "per_roughness_us");
+    rl_fps_note_refusal(c, k, model);
     if (!constant || !each)
         return RL_OK;
     double one = 1000.0 * constant->value + each->value;
     rl_claim_value(c, each->value / one, each->low / one, each->high / one, "of what the highlight adds");
     c->verdict = at_most((struct rl_interval){c->value, c->low, c->high}, bound, noise_floor(k, model));
-    note_fit(c, k, model);
+    rl_fps_note_fit(c, k, model);
     return RL_OK;
 }
 
 /* Up to which picture size an arm keeps to 24 frames a second. If at all, or at none, the rate of the largest or the smallest is shown. */
-static int claim_reach(const struct costs *k, const char *arm, const char *text)
+static int claim_reach(const struct rl_fps_costs *k, const char *arm, const char *text)
 {
     struct rl_claim *c = begin_claim(k, "scaling", text);
     if (!c)
@@ -202,7 +155,7 @@ static int claim_reach(const struct costs *k, const char *arm, const char *text)
 }
 
 /* The largest environment map in place of the smallest, in the frame that looks it up; paired by round. */
-static int claim_map_size(const struct costs *k)
+static int claim_map_size(const struct rl_fps_costs *k)
 {
     struct rl_claim *c =
         begin_claim(k, "environment",
@@ -231,7 +184,7 @@ static int claim_map_size(const struct costs *k)
 }
 
 /* Counted, not timed. */
-static int claim_maps_of_objects(const struct costs *k)
+static int claim_maps_of_objects(const struct rl_fps_costs *k)
 {
     struct rl_claim *c = begin_claim(k, "objects", "paper: every object has an environment map of its own");
     if (!c)
@@ -251,23 +204,24 @@ static int claim_maps_of_objects(const struct costs *k)
     return RL_OK;
 }
 
-static int claim_baking(const struct costs *k)
+static int claim_baking(const struct rl_fps_costs *k)
 {
     struct rl_claim *c = begin_claim(
         k, "maps", "ours: the normal map of one more roughness is made within a frame of 24 frames/s, once");
     if (!c)
         return RL_ERR_SYSTEM;
-    const struct rl_metric *each = model_metric(k, "maps", "per_roughness_us");
+    const struct rl_metric *each = rl_fps_model_metric(k, "maps", "per_roughness_us");
+    rl_fps_note_refusal(c, k, "maps");
     if (!each)
         return RL_OK;
     rl_claim_value(c, 1e-3 * each->value, 1e-3 * each->low, 1e-3 * each->high, "ms");
     c->verdict = rl_verdict_at_most(c->low, c->high, 1000.0 / RL_FILM_FPS);
-    note_fit(c, k, "maps");
+    rl_fps_note_fit(c, k, "maps");
     return RL_OK;
 }
 
 /* The exhaustive case of most texel-normals. */
-static const struct rl_record *largest_exhaustive(const struct costs *k)
+static const struct rl_record *largest_exhaustive(const struct rl_fps_costs *k)
 {
     const struct rl_record *found = NULL;
     double most = 0.0;
@@ -282,7 +236,7 @@ static const struct rl_record *largest_exhaustive(const struct costs *k)
     return found;
 }
 
-static int claim_exhaustive(const struct costs *k)
+static int claim_exhaustive(const struct rl_fps_costs *k)
 {
     struct rl_claim *c =
         begin_claim(k, "exhaustive",
@@ -303,7 +257,7 @@ static int claim_exhaustive(const struct costs *k)
 }
 
 /* At the size of Table 1 by the model alone: texel-normals grow with the pixels and with the map's texels. */
-static int claim_extrapolated(const struct costs *k)
+static int claim_extrapolated(const struct rl_fps_costs *k)
 {
     struct rl_claim *c =
         begin_claim(k, "exhaustive",
@@ -312,9 +266,10 @@ static int claim_extrapolated(const struct costs *k)
     if (!c)
         return RL_ERR_SYSTEM;
     const struct rl_record *r = largest_exhaustive(k);
-    const struct rl_metric *a = model_metric(k, "exhaustive", "constant_ms");
-    const struct rl_metric *b = model_metric(k, "exhaustive", "per_drawn_pixel_ns");
-    const struct rl_metric *d = model_metric(k, "exhaustive", "per_texel_normal_ns");
+    const struct rl_metric *a = rl_fps_model_metric(k, "exhaustive", "constant_ms");
+    const struct rl_metric *b = rl_fps_model_metric(k, "exhaustive", "per_drawn_pixel_ns");
+    const struct rl_metric *d = rl_fps_model_metric(k, "exhaustive", "per_texel_normal_ns");
+    rl_fps_note_refusal(c, k, "exhaustive");
     if (!r || !a || !b || !d)
         return RL_OK;
     const char *p = r->parameters;
@@ -335,7 +290,7 @@ static int claim_extrapolated(const struct costs *k)
     return RL_OK;
 }
 
-static int judge_scene(const struct costs *k)
+static int judge_scene(const struct rl_fps_costs *k)
 {
     int status = claim_fits(k);
     if (status == RL_OK)
@@ -391,7 +346,7 @@ int rl_fps_judge_costs(struct rl_claims *claims, const struct rl_run *run, struc
         return status;
     const char *scene;
     for (size_t i = 0; status == RL_OK && (scene = rl_run_scene(run, i)); i++) {
-        struct costs costs = {{run, scene, claims, error}, {&models, scene, claims, error}};
+        struct rl_fps_costs costs = {{run, scene, claims, error}, {&models, scene, claims, error}};
         if (has_costs(run, scene))
             status = judge_scene(&costs);
     }

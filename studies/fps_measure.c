@@ -143,6 +143,8 @@ static int add_times(struct rl_record *records, size_t n, const struct rl_timing
         status = rl_record_add(r, "time_precision", rl_exact_interval(half), "1", error);
     if (status == RL_OK)
         status = rl_record_add(r, "time_precise", rl_exact_interval(half <= precision_wanted), "1", error);
+    if (status == RL_OK)
+        status = rl_record_add(r, "time_capped", rl_exact_interval(!(half <= precision_wanted)), "1", error);
     if (status == RL_OK && baseline >= 0)
         status =
             rl_record_add(r, "above_baseline_ms",

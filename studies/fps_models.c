@@ -57,6 +57,7 @@ static const struct rl_column columns[] = {
     {"quantity", RL_COLUMN_TEXT, "quantity"},
     {"points", RL_COLUMN_VALUE, "points"},
     {"frames", RL_COLUMN_VALUE, "frames"},
+    {"capped", RL_COLUMN_VALUE, "capped"},
     RL_COLUMNS_WITH_INTERVAL("constant_ms"),
     RL_COLUMNS_WITH_INTERVAL("per_pixel_ns"),
     RL_COLUMNS_WITH_INTERVAL("per_drawn_pixel_ns"),
@@ -228,28 +229,46 @@ static int add_interval(struct rl_record *r, const char *name, struct rl_interva
                : rl_record_metric_add(r, name, scale * x.value, scale * x.low, scale * x.high, unit, error);
 }
 
-/* The case that the model describes worst. */
-static int add_worst(struct rl_record *r, const struct rl_record *worst, struct rl_error *error)
+/* The case that the model describes worst, or ("refused") the one that it cannot be fitted to. */
+static int add_case(struct rl_record *r, const char *which, const struct rl_record *at,
+                    struct rl_error *error)
 {
     static const char *const key[] = {"width", "samples", "env_size", "objects", "roughnesses"};
     int status = RL_OK;
     for (size_t i = 0; i < sizeof key / sizeof key[0] && status == RL_OK; i++) {
         char name[RL_NAME_MAX];
-        snprintf(name, sizeof name, "worst_%s", key[i]);
-        status = add_number(r, name, rl_parameter_number(worst->parameters, key[i]), "1", error);
+        snprintf(name, sizeof name, "%s_%s", which, key[i]);
+        status = add_number(r, name, rl_parameter_number(at->parameters, key[i]), "1", error);
     }
     return status;
+}
+
+/* Why there is no fit: the reason, and where one case is it, its time and what it is. */
+static int add_refusal(struct rl_record *r, const struct cases *c, const struct rl_fit *fit,
+                       struct rl_error *error)
+{
+    int status = add_number(r, "refusal", (double)fit->refusal, "1", error);
+    bool one = fit->refusal == RL_FIT_NOT_POSITIVE || fit->refusal == RL_FIT_NOT_FINITE;
+    if (status == RL_OK && one)
+        status = add_number(r, "refused_ms", fit->refused_y, "ms", error);
+    return status == RL_OK && one ? add_case(r, "refused", c->record[fit->refused_point], error) : status;
 }
 
 static int add_fit(struct rl_record *r, const struct model *m, const struct cases *c,
                    const struct rl_fit *fit, struct rl_error *error)
 {
-    double frames = INFINITY;
-    for (size_t i = 0; i < c->n; i++)
+    double frames = INFINITY, capped = 0.0;
+    for (size_t i = 0; i < c->n; i++) {
         frames = fmin(frames, (double)c->point[i].n);
+        capped += metric(c->record[i], "time_capped") > 0.0;
+    }
     int status = add_number(r, "points", (double)c->n, "1", error);
     if (status == RL_OK && c->n > 0)
         status = add_number(r, "frames", frames, "1", error);
+    if (status == RL_OK)
+        status = add_number(r, "capped", capped, "1", error);
+    if (status == RL_OK && fit->refusal != RL_FIT_DONE)
+        status = add_refusal(r, c, fit, error);
     for (int k = 0; k < m->n_terms && status == RL_OK; k++)
         status = add_interval(r, terms[m->term[k]].metric, fit->coefficient[k], terms[m->term[k]].scale,
                               terms[m->term[k]].unit, error);
@@ -259,8 +278,9 @@ static int add_fit(struct rl_record *r, const struct model *m, const struct case
         status = add_number(r, "residual", fit->residual, "1", error);
     if (status == RL_OK)
         status = add_interval(r, "worst_residual", fit->worst, 1.0, "1", error);
-    return status == RL_OK && !isnan(fit->worst.value) ? add_worst(r, c->record[fit->worst_point], error)
-                                                       : status;
+    return status == RL_OK && !isnan(fit->worst.value)
+               ? add_case(r, "worst", c->record[fit->worst_point], error)
+               : status;
 }
 
 static int add_model(struct rl_run *out, const struct model *m, const struct rl_run *run, const char *scene,

@@ -16,7 +16,7 @@ static const struct rl_interval unknown = {.value = NAN, .low = NAN, .high = NAN
 
 static struct rl_fit nothing(void)
 {
-    struct rl_fit fit = {.r2 = NAN, .residual = NAN, .worst = unknown};
+    struct rl_fit fit = {.r2 = NAN, .residual = NAN, .worst = unknown, .refused_y = NAN};
     for (int k = 0; k < RL_FIT_TERMS_MAX; k++)
         fit.coefficient[k] = unknown;
     return fit;
@@ -213,19 +213,23 @@ static void rounds_clear(struct rounds *r)
     free(r->drawn);
 }
 
-/* The points' x, y and weights; false if one has no positive, finite y. */
-static bool take_points(struct rounds *r)
+/* The points' x, y and weights; what is wrong with the first that is not fit for it is said in `fit`. */
+static bool take_points(struct rounds *r, struct rl_fit *fit)
 {
     for (size_t i = 0; i < r->n; i++) {
-        if (r->point[i].n == 0)
-            return false;
-        for (size_t k = 0; k < r->point[i].n; k++)
-            if (!isfinite(r->point[i].sample[k] - (r->point[i].minus ? r->point[i].minus[k] : 0.0)))
-                return false;
+        bool finite = r->point[i].n > 0;
+        for (size_t k = 0; k < r->point[i].n && finite; k++)
+            finite = isfinite(r->point[i].sample[k] - (r->point[i].minus ? r->point[i].minus[k] : 0.0));
+        for (size_t k = 0; k < r->p && finite; k++)
+            finite = isfinite(r->point[i].x[k]);
         memcpy(r->x + i * r->p, r->point[i].x, r->p * sizeof *r->x);
-        r->y[i] = median(r, i, 0);
-        if (!(r->y[i] > 0.0))
+        r->y[i] = finite ? median(r, i, 0) : NAN;
+        if (!(r->y[i] > 0.0)) {
+            fit->refusal = finite ? RL_FIT_NOT_POSITIVE : RL_FIT_NOT_FINITE;
+            fit->refused_point = i;
+            fit->refused_y = r->y[i];
             return false;
+        }
         r->weight[i] = 1.0 / (r->y[i] * r->y[i]);
     }
     return true;
@@ -294,12 +298,19 @@ struct rl_fit rl_fit_rounds(const struct rl_fit_point *point, size_t n, int n_te
                             int resamples, uint64_t seed)
 {
     struct rl_fit fit = nothing();
-    if (n_terms < 1 || n_terms > RL_FIT_TERMS_MAX || n <= (size_t)n_terms || resamples < 1 ||
-        !(level > 0.0 && level < 1.0))
+    fit.refusal = RL_FIT_INVALID;
+    if (n_terms < 1 || n_terms > RL_FIT_TERMS_MAX || resamples < 1 || !(level > 0.0 && level < 1.0))
+        return fit;
+    fit.refusal = RL_FIT_FEW_POINTS;
+    if (n <= (size_t)n_terms)
         return fit;
     struct rounds r;
-    if (rounds_make(&r, point, n, n_terms, resamples, seed) && take_points(&r) && invert(&r))
-        fit_points(&fit, &r, resamples, level);
+    fit.refusal = RL_FIT_INVALID;
+    if (rounds_make(&r, point, n, n_terms, resamples, seed) && take_points(&r, &fit)) {
+        fit.refusal = invert(&r) ? RL_FIT_DONE : RL_FIT_DEPENDENT;
+        if (fit.refusal == RL_FIT_DONE)
+            fit_points(&fit, &r, resamples, level);
+    }
     rounds_clear(&r);
     return fit;
 }

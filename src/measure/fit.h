@@ -16,6 +16,16 @@
 
 enum { RL_FIT_TERMS_MAX = 4 };
 
+/* Why there is no answer. */
+enum rl_fit_refusal {
+    RL_FIT_DONE,
+    RL_FIT_FEW_POINTS,   /* no more of them than terms */
+    RL_FIT_NOT_FINITE,   /* a y, or a term */
+    RL_FIT_NOT_POSITIVE, /* of rl_fit_rounds: a y that relative residuals cannot be taken of */
+    RL_FIT_DEPENDENT,    /* terms are multiples of one another, or 0 everywhere */
+    RL_FIT_INVALID       /* arguments out of their range; no memory */
+};
+
 struct rl_fit {
     struct rl_interval
         coefficient[RL_FIT_TERMS_MAX]; /* of as many terms as were asked for; the others are NaN */
@@ -23,6 +33,9 @@ struct rl_fit {
     double residual; /* standard deviation of (y - model)/y, for as many degrees of freedom as are left */
     struct rl_interval worst; /* the largest |y - model|/|y|; its interval only from rl_fit_rounds */
     size_t worst_point;
+    enum rl_fit_refusal refusal; /* of rl_fit_rounds */
+    size_t refused_point; /* of RL_FIT_NOT_FINITE, RL_FIT_NOT_POSITIVE: the first such one, and its y */
+    double refused_y;
 };
 
 /* x: n rows of n_terms values; weight: n, in proportion to 1/variance, or NULL for equal ones. Intervals are Student's, with the
@@ -40,7 +53,7 @@ struct rl_fit_point {
 };
 
 /* Every point weighs 1/y^2. The intervals hold the middle `level` of what `resamples` draws of rounds give, and the value. NaN as above, and where a
- * y is not above 0. Points of a block have equally many rounds. */
+ * y is not above 0: `refusal` says why. Points of a block have equally many rounds. */
 struct rl_fit rl_fit_rounds(const struct rl_fit_point *point, size_t n, int n_terms, double level,
                             int resamples, uint64_t seed);
 

@@ -72,6 +72,12 @@ static void check_nothing(struct rl_fit fit)
     assert_true(isnan(fit.r2) && isnan(fit.residual) && isnan(fit.worst.value) && isnan(fit.worst.high));
 }
 
+static void check_refused(struct rl_fit fit, enum rl_fit_refusal refusal)
+{
+    check_nothing(fit);
+    assert_int_equal(fit.refusal, refusal);
+}
+
 static void test_no_answer(void **state)
 {
     (void)state;
@@ -94,14 +100,25 @@ static void test_no_answer(void **state)
     struct rl_fit_point point[3] = {
         {{1, 2}, &one, NULL, 1, 0}, {{1, 3}, &one, NULL, 1, 0}, {{1, 5}, &one, NULL, 1, 0}};
     check_near(rl_fit_rounds(point, 3, 2, 0.95, 10, 1).coefficient[0].value, 1.0, 1e-13);
-    check_nothing(rl_fit_rounds(point, 2, 2, 0.95, 10, 1));
-    check_nothing(rl_fit_rounds(point, 3, 2, 0.95, 0, 1));
-    check_nothing(rl_fit_rounds(NULL, 0, 2, 0.95, 10, 1));
+    assert_int_equal(rl_fit_rounds(point, 3, 2, 0.95, 10, 1).refusal, RL_FIT_DONE);
+    check_refused(rl_fit_rounds(point, 2, 2, 0.95, 10, 1), RL_FIT_FEW_POINTS);
+    check_refused(rl_fit_rounds(point, 3, 2, 0.95, 0, 1), RL_FIT_INVALID);
+    check_refused(rl_fit_rounds(NULL, 0, 2, 0.95, 10, 1), RL_FIT_FEW_POINTS);
     point[1].minus = &one; /* nothing is left: no relative residual */
-    check_nothing(rl_fit_rounds(point, 3, 2, 0.95, 10, 1));
+    struct rl_fit fit = rl_fit_rounds(point, 3, 2, 0.95, 10, 1);
+    check_refused(fit, RL_FIT_NOT_POSITIVE);
+    assert_true(fit.refused_point == 1 && fit.refused_y == 0.0);
     point[1].minus = &zero;
+    point[2].x[1] = NAN;
+    fit = rl_fit_rounds(point, 3, 2, 0.95, 10, 1);
+    check_refused(fit, RL_FIT_NOT_FINITE);
+    assert_int_equal(fit.refused_point, 2);
+    point[2].x[1] = 5.0;
     point[1].n = 0;
-    check_nothing(rl_fit_rounds(point, 3, 2, 0.95, 10, 1));
+    check_refused(rl_fit_rounds(point, 3, 2, 0.95, 10, 1), RL_FIT_NOT_FINITE);
+    point[1].n = 1;
+    point[1].x[1] = point[2].x[1] = 2.0;
+    check_refused(rl_fit_rounds(point, 3, 2, 0.95, 10, 1), RL_FIT_DEPENDENT);
 }
 
 /* How often an interval missed the truth, of as many trials. */

@@ -39,7 +39,8 @@ check "the rounds stop at what was asked, and say how precise they are" "$tmp/fp
       if (c["frames"] < c["rounds"] || c["frames"] > 3 * c["rounds"]) bad("frames " c["frames"] " of " c["rounds"])
       half = c["frame_ms_high"] - c["frame_ms"]; if (c["frame_ms"] - c["frame_ms_low"] > half) half = c["frame_ms"] - c["frame_ms_low"]
       if (!near(c["time_precision"], half / c["frame_ms"], 1e-6)) bad("precision " c["time_precision"])
-      if (c["time_precise"] != (c["time_precision"] <= 0.02)) bad("precise " c["time_precise"]) }'
+      if (c["time_precise"] != (c["time_precision"] <= 0.02)) bad("precise " c["time_precise"])
+      if (c["time_capped"] != 1 - c["time_precise"]) bad("capped " c["time_capped"]) }'
 check "an environment map an object, a normal map a roughness, about as many pixels" "$tmp/fps.tsv" '
     c["series"] == "objects" && c["arm"] == "random-4" { seen = 1
       if (c["env_maps"] != c["objects"]) bad("maps " c["env_maps"])

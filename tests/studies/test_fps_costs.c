@@ -19,7 +19,7 @@ static const struct rl_place place = {"fps", "made-up", "made-up.yaml", 1};
 
 /* What the cases of all series take, in ms: made of these. */
 struct prices {
-    double frame, per_pixel;                         /* without highlight */
+    double frame, per_pixel, plain;                  /* without highlight; what plain adds to every frame */
     double pass, per_drawn, per_sample, per_regular; /* the highlight */
     double map, per_texel, lookup;                   /* lookup: slower by this part with the largest map */
     double per_object, highlight_object, per_map;
@@ -31,6 +31,7 @@ struct prices {
 
 static const struct prices usual_prices = {.frame = 1.0,
                                            .per_pixel = 5e-6,
+                                           .plain = 0.2,
                                            .pass = 0.5,
                                            .per_drawn = 1e-5,
                                            .per_sample = 2e-5,
@@ -74,7 +75,7 @@ static double ms_of(const struct rl_record *r, const struct prices *p)
     if (is(r, "arm=none"))
         return none;
     if (is(r, "arm=plain"))
-        return none + 0.2 + 0.2 * p->per_pixel * pixels;
+        return none + p->plain + 0.2 * p->per_pixel * pixels;
     if (is(r, "arm=environment"))
         return p->map + p->per_texel * 6.0 * edge * edge + (objects >= 1.0 ? p->per_map * objects : 0.0);
     if (is(r, "arm=normal-maps"))
@@ -117,6 +118,7 @@ static void measure_made_up(struct rl_run *run, const struct prices *p)
         assert_int_equal(
             rl_record_metric_add(r, "fps", 1000.0 / exact, 1000.0 / high, 1000.0 / low, "1/s", NULL), RL_OK);
         add_number(r, "time_precision", p->jitter, "1");
+        add_number(r, "time_capped", is(r, "arm=plain"), "1");
         add_number(r, "drawn_px", drawn(r), "px");
         double objects = rl_parameter_number(r->parameters, "objects");
         add_number(r, "env_maps", objects >= 1.0 ? objects : 1.0, "1");
@@ -221,6 +223,31 @@ static void test_costs_flip(void **state)
     assert_int_equal(priced(p, "maps takes a + b x objects").verdict, RL_VERDICT_FAILS);
     p.again = 1.3;
     assert_int_equal(priced(p, "maps takes a + b x objects").verdict, RL_VERDICT_INCONCLUSIVE);
+}
+
+/* A claim without a number says why it has none. */
+static void test_refused(void **state)
+{
+    (void)state;
+    static const char plain[] = "what plain adds to it is a + b x pixels";
+    struct prices p = usual_prices;
+    struct rl_claim c = priced(p, plain);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_non_null(strstr(c.note, "20 frames or more, a cap came before 2 % in 3 of 3 cases"));
+    p.plain = -0.5; /* faster than the frame without it, at the smallest size: noise, on a real machine */
+    c = priced(p, plain);
+    assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_true(isnan(c.value));
+    assert_non_null(strstr(c.note, "no fit of plain: a median of -0.42"));
+    assert_non_null(strstr(c.note, "not above 0, at width 320"));
+    struct rl_run run = {.study = "fps", .grid = "default"};
+    measure_made_up(&run, &usual_prices);
+    for (size_t i = 0; i < run.n_records; i++)
+        if (is(&run.record[i], "series=maps roughnesses=4"))
+            run.record[i].status = RL_RECORD_FAILED;
+    c = claim_of("fps", &run, "baking normal maps takes");
+    assert_non_null(strstr(c.note, "2 cases are no more than it has terms"));
+    rl_run_clear(&run);
 }
 
 static void test_prices_flip(void **state)
@@ -361,10 +388,8 @@ static void test_cases(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_models),
-        cmocka_unit_test(test_costs_flip),
-        cmocka_unit_test(test_prices_flip),
-        cmocka_unit_test(test_cases),
+        cmocka_unit_test(test_models),      cmocka_unit_test(test_costs_flip), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_prices_flip), cmocka_unit_test(test_cases),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
