@@ -177,6 +177,15 @@ static void test_plan(void **state)
                 fail_msg("twice: %s", run.record[k].parameters);
             struct rl_settings settings;
             assert_int_equal(rl_bench_settings(&settings, run.record[k].parameters, NULL), RL_OK);
+            /* Medians of 30 frames or more, but where one takes as long as many frames. */
+            bool slow = rl_parameters_match(run.record[k].parameters, "series=maps") ||
+                        rl_parameters_match(run.record[k].parameters, "series=exhaustive");
+            double rounds = rl_parameter_number(run.record[k].parameters, "rounds");
+            double least = row[i].grid == RL_GRID_QUICK             ? 5.0
+                           : slow && row[i].grid == RL_GRID_DEFAULT ? 12.0
+                                                                    : 30.0;
+            if (rounds < least)
+                fail_msg("%g rounds: %s", rounds, run.record[k].parameters);
         }
         rl_run_clear(&run);
     }

@@ -91,8 +91,8 @@ static double ms_of(const struct rl_record *r, const struct prices *p)
 static bool is_largest(const struct rl_record *r)
 {
     return is(r, "series=size width=1920") || is(r, "series=environment env_size=1024") ||
-           is(r, "series=objects objects=10") || is(r, "series=roughness roughnesses=4") ||
-           is(r, "series=maps roughnesses=4") || is(r, "series=exhaustive env_size=256");
+           is(r, "series=objects objects=6") || is(r, "series=roughness roughnesses=4") ||
+           is(r, "series=maps roughnesses=4") || is(r, "series=exhaustive env_size=256 width=160");
 }
 
 static void add_number(struct rl_record *r, const char *name, double value, const char *unit)
