@@ -16,6 +16,17 @@
     {                                                                                                        \
         RL_NO_SCENE, parameters, true, rl_check_map, NULL                                                    \
     }
+#define ROUNDING(parameters)                                                                                 \
+    {                                                                                                        \
+        RL_NO_SCENE, "rounding=" parameters, false, rl_check_rounding, NULL                                  \
+    }
+#define GENERATOR(name)                                                                                      \
+    {                                                                                                        \
+        RL_NO_SCENE,                                                                                         \
+            "series=point generator=" name                                                                   \
+            " normal_bits=float samples=4 rr=30 normal_size=128 size=32 step=0",                             \
+            true, rl_check_generator, NULL                                                                   \
+    }
 #define REFERENCE(scene, parameters)                                                                         \
     {                                                                                                        \
         scene, "method=reference " parameters SIZE, false, rl_check_reference, NULL                          \
@@ -109,6 +120,22 @@ const struct rl_check_case rl_check_cases[] = {
     REFERENCE("ball-shadow", "rr=2 eye=low"),
     FIXED("ball-shadow", "regular samples=50 rr=2 eye=low"),
     RANDOM("ball-shadow", "samples=4 rr=2 eye=low"),
+    ROUNDING("map normal_bits=4"),
+    ROUNDING("map normal_bits=5"),
+    ROUNDING("map normal_bits=6"),
+    ROUNDING("map normal_bits=8"),
+    ROUNDING("map normal_bits=10"),
+    ROUNDING("map normal_bits=12"),
+    ROUNDING("map normal_bits=16"),
+    ROUNDING("map normal_bits=half"),
+    ROUNDING("map normal_bits=float"),
+    ROUNDING("environment env_format=rgba8"),
+    ROUNDING("environment env_format=rgb10a2"),
+    ROUNDING("environment env_format=r11g11b10f"),
+    ROUNDING("environment env_format=rgba16"),
+    ROUNDING("environment env_format=rgba16f"),
+    GENERATOR("baked"),
+    GENERATOR("hash"),
 };
 
 const size_t rl_n_check_cases = sizeof rl_check_cases / sizeof rl_check_cases[0];

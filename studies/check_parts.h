@@ -72,6 +72,12 @@ int rl_check_point(struct rl_check_rows *rows, const struct rl_check_case *c,
                    struct rl_check_context *context);
 /* check_maps.c: normal maps. */
 int rl_check_map(struct rl_check_rows *rows, const struct rl_check_case *c, struct rl_check_context *context);
+/* check_rounding.c: what normal maps of the parameter `normal_bits`, or texels of `env_format`, do to values between their steps. */
+int rl_check_rounding(struct rl_check_rows *rows, const struct rl_check_case *c,
+                      struct rl_check_context *context);
+/* check_generators.c: the random numbers of the study `distribution`. */
+int rl_check_generator(struct rl_check_rows *rows, const struct rl_check_case *c,
+                       struct rl_check_context *context);
 /* check_pictures.c: pictures on the GPU, of random and of fixed methods, and the reference's. */
 int rl_check_random_picture(struct rl_check_rows *rows, const struct rl_check_case *c,
                             struct rl_check_context *context);

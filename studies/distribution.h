@@ -40,9 +40,9 @@ int rl_distribution_measure_maps(struct rl_record *records, size_t n, struct rl_
                                  struct rl_error *error);
 
 /* "series=point": one surface point at size x size pixels, a highlight's edge, estimated by `samples` normals from each `generator`
- * (lcg, baked, hash) with several seeds. Metrics: truth; bias, the mean error, over seeds; bias2, its square without what noise
- * adds to it; variance over pixels; floor and noise, the roots of these; bias_share, how much of a seed's squared error is its mean
- * error squared. "series=patch": a whole highlight over a plane patch, one seed; series picture, row by row. */
+ * (lcg, baked, hash) with `seeds` seeds from `seed` (1) on. Metrics: truth; bias, the mean error, over seeds; bias2, its square
+ * without what noise adds to it; variance over pixels; floor and noise, the roots of these; bias_share, how much of a seed's squared
+ * error is its mean error squared. "series=patch": a whole highlight over a plane patch, one seed; series picture, row by row. */
 int rl_distribution_measure_generator(struct rl_record *r, struct rl_bench *bench, struct rl_error *error);
 
 int rl_distribution_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);

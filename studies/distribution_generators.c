@@ -258,13 +258,14 @@ static int measure_point(struct rl_record *r, struct model *m, struct rl_setting
     double seeds = rl_parameter_number(r->parameters, "seeds");
     if (!(seeds >= 2.0 && seeds <= SEEDS_MAX))
         return rl_fail(error, RL_ERR_INPUT, "seeds=%g: expected 2 to %d", seeds, SEEDS_MAX);
+    double first = rl_parameter_number(r->parameters, "seed");
     struct rl_estimate truth = {0};
     enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_REFERENCE);
     int status = integrate(&truth, m, v3(0.0, 0.0, 0.0), error);
     rl_spent_on(&bench->spent, outer);
     size_t n = (size_t)seeds;
     for (size_t k = 0; k < n && status == RL_OK; k++) {
-        status = draw(value, m, settings, k + 1, bench, error);
+        status = draw(value, m, settings, k + (isnan(first) ? 1 : (uint64_t)first), bench, error);
         if (status == RL_OK)
             split(&parts, k, value, (size_t)m->size * (size_t)m->size, truth.value[0]);
     }
