@@ -3,11 +3,20 @@
 # tree, builds it, and expects exit code 1; and 0 for the harmless changes, harmless-NAME.patch. A patch that does not apply or build
 # fails. `make faults` runs them all, or those that F names: some 20 seconds each.
 #
+#   BUILD=build tests/faults/run.sh [--scene SCENE]... [FAULT]...      --scene: only these cases of the check, as `none`, which is quicker
+#
 # stdout: a row a fault, TSV: fault, result (caught, passed, missed, alarmed, broken), metrics that are worse, the one that is
 # farthest beyond what it can see, and what the fault is.
 set -u
 build=${BUILD:-build}
 here=$(dirname "$0")
+# shellcheck source=tests/faults/tree.sh
+. "$here/tree.sh"
+scenes=
+while [ "${1-}" = --scene ] && [ $# -ge 2 ]; do
+    scenes="$scenes --scene $2"
+    shift 2
+done
 for name; do
     [ -f "$here/$(basename "$name" .patch).patch" ] && continue
     echo "$0: no fault is called '$name'; there are: $(cd "$here" && echo *.patch | sed 's/\.patch//g')" >&2
@@ -20,21 +29,11 @@ tab=$(printf '\t')
 tree=$scratch/tree
 failed=0
 
-# The sources as they are now, and what has been built of them, with their times: what is not changed is not built again.
-mkdir "$tree" || exit 2
-if git rev-parse --git-dir >/dev/null 2>&1; then
-    git ls-files --cached --others --exclude-standard
-else
-    find . -path "./$build" -prune -o -type f -print
-fi | tar -cf - -T - | tar -xf - -C "$tree" || exit 2
-mkdir -p "$tree/build"
-cp -a "$build/obj" "$build/gen" "$tree/build/" || exit 2
-cp -a "$build/libroughlight.a" "$build/roughlight" "$build/roughlight-oiio.so" "$tree/build/" || exit 2
-
-make_tree() { make -C "$tree" --no-print-directory BUILD=build SETUP=check all >"$scratch/make" 2>&1; }
+copy_tree || exit 2
 
 # check: the rows in $scratch/rows; its exit code
-check() { (cd "$tree" && exec build/roughlight study check) >"$scratch/rows" 2>"$scratch/stderr"; }
+# shellcheck disable=SC2086
+check() { (cd "$tree" && exec "$build/roughlight" study check $scenes) >"$scratch/rows" 2>"$scratch/stderr"; }
 
 # The number of metrics that are worse, and the one that is so by the largest multiple of what it detects.
 worse() {
@@ -87,7 +86,7 @@ for patch; do
     expected=1
     case $name in harmless-*) expected=0 ;; esac
     : >"$scratch/rows"
-    if ! patch -d "$tree" -p1 -s -f <"$patch" >"$scratch/patch" 2>&1; then
+    if ! plant "$patch"; then
         cat "$scratch/patch" >&2
         row "$name" broken "$what"
         exit 1
@@ -99,9 +98,6 @@ for patch; do
         grep -E 'error' "$scratch/make" >&2
         row "$name" broken "$what"
     fi
-    # The time of what is put back must be later than that of what was built of it.
-    sleep 1
-    patch -d "$tree" -p1 -s -f -R <"$patch" || exit 2
-    grep '^+++ ' "$patch" | sed "s,^+++ [^/]*/,$tree/,; s,$tab.*,," | xargs touch
+    dig_out "$patch" || exit 2
 done
 [ $failed -eq 0 ]
