@@ -155,6 +155,7 @@ static const struct rl_column columns[] = {
     {"margin", RL_COLUMN_VALUE, "margin"},
     {"bound", RL_COLUMN_VALUE, "bound"},
     {"filled", RL_COLUMN_VALUE, "filled"},
+    {"due", RL_COLUMN_VALUE, "due"},
     {"from_rr", RL_COLUMN_VALUE, "from_rr"},
     {"skipped", RL_COLUMN_VALUE, "skipped"},
     RL_COLUMNS_WITH_INTERVAL("missed"),
@@ -204,14 +205,13 @@ static const struct rl_figure figures[] = {
 };
 
 static const struct rl_figure figures_alone[] = {
-    {"filled", "Is the closed form as large as it must be? What two lights lose of its bound together, on "
-               "opposite sides "
-               "of the mirror direction, just outside of their spheres, at the size at which that is most. "
-               "Large lights "
-               "lose half of it or somewhat more; the claim is about the largest mark, which is to be in the "
-               "grey: with a "
-               "margin a fifth too small it would be above. Small R_r, at which only small lights have a "
-               "sphere, lose less."},
+    {"filled",
+     "Is the closed form as large as it must be? What two lights lose of its bound together, on "
+     "opposite sides of the mirror direction, just outside of their spheres, at the size at which "
+     "that is most. Dotted: what they would lose beside spheres just as large as the proof asks; marks "
+     "off it are of a margin that is too small (above) or wastes time (below). Large lights lose "
+     "half of the bound or somewhat more, which is the grey; small ones, the only ones that have a "
+     "sphere where R_r or the bound is small, lose less."},
 };
 
 /* What tells arms apart is not among them. */

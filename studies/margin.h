@@ -16,15 +16,20 @@
  * not there (or, exactly, not above the tolerance) are not recorded. Losses are in units of the
  * brightest light's radiance. bound: what auto promises for worst_exact. from_rr: the R_r from
  * which on auto has a sphere. Of all where timed, and of an arm none without a highlight: what timing_arms.h adds, against that and against off.
- * Metrics of series=filled: bound, and where a light can have a sphere, filled: what two lights made for it lose of that. */
+ * Metrics of series=filled: bound, and where a light can have a sphere, filled, what two lights made for it lose of that (0: there
+ * could be a sphere and is none), and due, what they would lose beside spheres that are just as large as the proof asks. */
 int rl_margin_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                       const struct rl_scene *scene, struct rl_error *error);
 
 /* What two equal lights on opposite sides of R = N, just outside of their spheres, take together from the pixel, over `loss`; the size at
  * which that is most. A light that is large beside the blur b meets each line at b/cos theta, and where the lobe's tail
- * falls as 1/delta^2 half of the bound is lost: 0.5 to 0.62 for R_r and losses where the largest lights have a sphere. NaN where
- * none has. */
-double rl_margin_filled(double rr, double loss);
+ * falls as 1/delta^2 half of the bound is lost: 0.5 to 0.62 for R_r and losses where the largest lights have a sphere. Where only
+ * small ones have one, that is little. */
+struct rl_margin_filled {
+    double lost; /* outside of the spheres of rl_margin_auto; NaN: no size has one */
+    double due;  /* outside of spheres of just the angle that its proof asks for; NaN: none is that large */
+};
+struct rl_margin_filled rl_margin_filled(double rr, double loss);
 
 int rl_margin_judge(struct rl_claims *claims, const struct rl_run *run, struct rl_error *error);
 

@@ -145,10 +145,13 @@ static int measure_filled(struct rl_record *records, size_t n, struct rl_error *
     int status = RL_OK;
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         double loss = rl_parameter_number(records[i].parameters, "loss");
-        double filled = rl_margin_filled(rl_parameter_number(records[i].parameters, "rr"), loss);
+        struct rl_margin_filled f = rl_margin_filled(rl_parameter_number(records[i].parameters, "rr"), loss);
+        bool spheres = isfinite(f.lost) || isfinite(f.due);
         status = add(&records[i], "bound", loss, error);
-        if (status == RL_OK && isfinite(filled))
-            status = add(&records[i], "filled", filled, error);
+        if (status == RL_OK && spheres)
+            status = add(&records[i], "filled", isfinite(f.lost) ? f.lost : 0.0, error);
+        if (status == RL_OK && spheres)
+            status = add(&records[i], "due", isfinite(f.due) ? f.due : 0.0, error);
     }
     return status;
 }

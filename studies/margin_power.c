@@ -26,7 +26,16 @@ static double weight(const struct rl_ellipsoid *e, double beside, double a)
     return sum / LINES;
 }
 
-double rl_margin_filled(double rr, double loss)
+/* The angle b that the proof asks for beside a light (margin.h, both sides): 1 - U(b/2) = loss/2, from D's integral and not by
+ * the functions that the closed form calls. NaN where no angle is large enough. */
+static double asked_angle(double rr, double loss)
+{
+    double k = sqrt(fabs(rr * rr - 1.0)), share = 1.0 - loss;
+    double sine = rr > 1.0 ? tan(share * atan(k)) / k : rr < 1.0 ? tanh(share * atanh(k)) / k : share;
+    return 2.0 * asin(sine);
+}
+
+struct rl_margin_filled rl_margin_filled(double rr, double loss)
 {
     enum { SIZES = 104 }; /* up to almost a half space */
     static const double distance = 10.0;
@@ -37,15 +46,18 @@ double rl_margin_filled(double rr, double loss)
     struct rl_settings settings = RL_SETTINGS_DEFAULT;
     settings.normal_bits =
         RL_NORMAL_BITS_FLOAT; /* no room for rounding and texels, of which there are none here */
-    settings.env_size = 4096;
+    settings.env_size = 1 << 24;
     struct rl_ellipsoid e = rl_ellipsoid_make(rr);
-    double most = NAN;
+    double asked = asked_angle(rr, loss);
+    struct rl_margin_filled most = {NAN, NAN};
     for (int i = 0; i < SIZES; i++) {
         double a = 0.01 * pow(1.05, i);
         light[0].radius = light[1].radius = distance * sin(a);
         double sphere = (1.0 + rl_margin_auto(&scene, &material, &settings, loss)) * sin(a);
         if (sphere < 1.0)
-            most = fmax(most, 2.0 * weight(&e, asin(sphere), a) / loss);
+            most.lost = fmax(most.lost, 2.0 * weight(&e, asin(sphere), a) / loss);
+        if (a + asked < 0.5 * RL_PI)
+            most.due = fmax(most.due, 2.0 * weight(&e, a + asked, a) / loss);
     }
     return most;
 }

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "studies/judged.h"
+#include "studies/margin.h"
 #include "studies/study.h"
 
 static const struct rl_place place = {"margin", "made-up", "made-up.yaml", 1};
@@ -16,10 +17,10 @@ static const struct rl_place alone = {"margin", RL_NO_SCENE, "", 0};
 
 /* What a made-up world is like at R_r 300, 100 and 3, where auto has no sphere. */
 struct world {
-    double worst, other_worst; /* of auto, and of the bound 0.1 */
-    double loss, filled;
-    double missed_300;          /* by auto at R_r 300, 0: as at 100 */
-    double missed, missed_half; /* by auto and by the margin 0.5, at R_r 100 */
+    double worst, other_worst;            /* of auto, and of the bound 0.1 */
+    double loss, filled, filled_300, due; /* at R_r 100 and 300; at 30 both are 0.5 */
+    double missed_300;                    /* by auto at R_r 300, 0: as at 100 */
+    double missed, missed_half;           /* by auto and by the margin 0.5, at R_r 100 */
     double time, time_300, noise, cost;
 };
 
@@ -28,6 +29,8 @@ static const struct world usual = {
     .other_worst = 0.01,
     .loss = 0.0005,
     .filled = 0.5,
+    .filled_300 = 0.5,
+    .due = 0.5,
     .missed = 0.002,
     .missed_half = 0.003,
     .time = 0.8,
@@ -75,15 +78,23 @@ static void add_rr(struct rl_run *run, const struct world *w, double rr, double 
     metric(r, "worst_exact", sphere ? w->other_worst : 0.0, 1e-4);
 }
 
+static void add_filled(struct rl_run *run, double rr, double filled, double due)
+{
+    struct rl_record *r = rl_run_add(run, &alone, 5000, NULL, "series=filled loss=0.02 rr=%g", rr);
+    metric(r, "bound", 0.02, 0.0);
+    metric(r, "filled", filled, 0.0);
+    metric(r, "due", due, 0.0);
+}
+
 static struct rl_claim judge(struct world w, const char *words)
 {
     struct rl_run run = {.study = "margin", .grid = "default"};
     add_rr(&run, &w, 3.0, w.time);
     add_rr(&run, &w, 100.0, w.time);
     add_rr(&run, &w, 300.0, w.time_300);
-    struct rl_record *r = rl_run_add(&run, &alone, 5000, NULL, "series=filled loss=0.02 rr=300");
-    metric(r, "bound", 0.02, 0.0);
-    metric(r, "filled", w.filled, 0.0);
+    add_filled(&run, 30.0, 0.5, 0.5);
+    add_filled(&run, 100.0, w.filled, w.due);
+    add_filled(&run, 300.0, w.filled_300, w.due);
     struct rl_claim found = claim_of("margin", &run, words);
     rl_run_clear(&run);
     return found;
@@ -126,17 +137,11 @@ static void test_flips(void **state)
     w.missed = NAN; /* no highlight: no share of it */
     assert_int_equal(judge(w, energy).verdict, RL_VERDICT_INCONCLUSIVE);
 
-    static const char loss[] = "bound x radiance x pixels skipped", filled[] = "as large as it must be";
+    static const char loss[] = "bound x radiance x pixels skipped";
     w = usual;
     assert_int_equal(judge(w, loss).verdict, RL_VERDICT_HOLDS);
     w.loss = 0.03;
     assert_int_equal(judge(w, loss).verdict, RL_VERDICT_FAILS);
-    assert_int_equal(judge(w, filled).verdict, RL_VERDICT_HOLDS);
-    w.filled = 0.9;
-    assert_int_equal(judge(w, filled).verdict, RL_VERDICT_FAILS);
-    w.filled = 0.3;
-    assert_int_equal(judge(w, filled).verdict, RL_VERDICT_FAILS);
-
     static const char half[] = "1.5 times as large";
     w = usual;
     c = judge(w, half);
@@ -176,6 +181,67 @@ static void test_flips(void **state)
     assert_int_equal(judge(w, cost).verdict, RL_VERDICT_INCONCLUSIVE);
 }
 
+/* One row outside is enough, and the note says how many there are. */
+static void test_filled(void **state)
+{
+    (void)state;
+    static const char keeps[] = "keeps its bound whatever the lights",
+                      proved[] = "as large as its proof asks", tight[] = "hardly larger than any light needs";
+    struct world w = usual;
+    assert_int_equal(judge(w, keeps).verdict, RL_VERDICT_HOLDS);
+    assert_int_equal(judge(w, proved).verdict, RL_VERDICT_HOLDS);
+    struct rl_claim c = judge(w, tight);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_non_null(strstr(c.note, "of 3 rows"));
+    assert_non_null(strstr(c.note, "; 0 outside"));
+    w.filled_300 = 0.015; /* a margin far too large at R_r 300 alone */
+    assert_int_equal(judge(w, keeps).verdict, RL_VERDICT_HOLDS);
+    c = judge(w, proved);
+    assert_int_equal(c.verdict, RL_VERDICT_FAILS);
+    assert_true(fabs(c.value - 0.03) < 1e-12 && fabs(c.high - 0.03) < 1e-12);
+    assert_non_null(strstr(c.note, "bound 0.02 at R_r 300; 1 outside"));
+    c = judge(w, tight);
+    assert_int_equal(c.verdict, RL_VERDICT_FAILS);
+    assert_true(c.value == 0.015);
+    w.filled_300 = 0.0; /* no sphere, though there could be one */
+    assert_int_equal(judge(w, proved).verdict, RL_VERDICT_FAILS);
+    w.filled_300 = 1.05; /* far too small */
+    c = judge(w, keeps);
+    assert_int_equal(c.verdict, RL_VERDICT_FAILS);
+    assert_true(c.value == 1.05);
+    assert_int_equal(judge(w, proved).verdict, RL_VERDICT_FAILS);
+    w = usual;
+    w.filled = 0.52; /* a little too small */
+    c = judge(w, proved);
+    assert_true(c.verdict == RL_VERDICT_FAILS && fabs(c.value - 1.04) < 1e-12);
+    w = usual;
+    w.filled = w.filled_300 = w.due = 0.1; /* small lights: as proved, but wasteful */
+    assert_int_equal(judge(w, proved).verdict, RL_VERDICT_HOLDS);
+    c = judge(w, tight);
+    assert_int_equal(c.verdict, RL_VERDICT_FAILS);
+    assert_non_null(strstr(c.note, "; 2 outside"));
+}
+
+/* The closed form itself, at every R_r and bound: what it leaves to lights made for it, against its proof. A margin that is too large
+ * at some R_r alone loses nothing and is seen nowhere else. */
+static void test_as_proved(void **state)
+{
+    (void)state;
+    static const double rr[] = {0.5, 1, 3, 30, 100, 300, 1000}, loss[] = {0.3, 0.1, 0.02, 0.005};
+    size_t with_spheres = 0;
+    for (size_t i = 0; i < sizeof rr / sizeof rr[0]; i++)
+        for (size_t k = 0; k < sizeof loss / sizeof loss[0]; k++) {
+            struct rl_margin_filled f = rl_margin_filled(rr[i], loss[k]);
+            assert_int_equal(isnan(f.lost), isnan(f.due));
+            if (isnan(f.due))
+                continue;
+            with_spheres++;
+            print_message("R_r %g, bound %g: %.5f of it lost, %.5f due\n", rr[i], loss[k], f.lost, f.due);
+            assert_true(f.lost > 0.0 && f.lost <= 1.0 && fabs(f.lost / f.due - 1.0) < 1e-4);
+        }
+    assert_true(with_spheres >= 15);
+}
+
 /* Nothing measured: no verdict is made up. */
 static void test_missing(void **state)
 {
@@ -185,7 +251,7 @@ static void test_missing(void **state)
     assert_int_equal(rl_study_find("margin")->plan(&run, &place, RL_GRID_QUICK, 100, NULL), RL_OK);
     struct rl_claims claims = {0};
     assert_int_equal(rl_study_find("margin")->judge(&claims, &run, NULL), RL_OK);
-    assert_true(claims.n == 8);
+    assert_true(claims.n == 10);
     for (size_t i = 0; i < claims.n; i++) {
         assert_int_equal(claims.claim[i].verdict, RL_VERDICT_INCONCLUSIVE);
         assert_true(isnan(claims.claim[i].value));
@@ -217,9 +283,8 @@ static void test_plan(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_plan),
+        cmocka_unit_test(test_flips),   cmocka_unit_test(test_filled), cmocka_unit_test(test_as_proved),
+        cmocka_unit_test(test_missing), cmocka_unit_test(test_plan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
