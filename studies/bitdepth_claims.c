@@ -51,10 +51,14 @@ static int claim_small(const struct rl_judging *j, const double *rr, size_t n, c
     c->figure = s->figure;
     struct rl_step step[RL_AXIS_MAX];
     rl_judging_steps(step, rr, n);
+    char dark[96] = "";
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *m = find(j, s->what, rr[i], s->metric);
         const struct rl_metric *of_noise = s->of_noise ? find(j, s->what, rr[i], s->of_noise) : NULL;
-        if (m && (!s->of_noise || (of_noise && !isnan(of_noise->value))))
+        if (m && !rl_judging_lit(find(j, s->what, rr[i], "noise_4"))) {
+            size_t used = strlen(dark);
+            snprintf(dark + used, sizeof dark - used, "%s%g", used ? ", " : "", rr[i]);
+        } else if (m && (!s->of_noise || (of_noise && !isnan(of_noise->value))))
             step[i] = small_step(rr[i], m, of_noise);
     }
     rl_judging_conclude(c, step, n, s->of_noise ? "of what is allowed" : "RMS");
@@ -62,8 +66,11 @@ static int claim_small(const struct rl_judging *j, const double *rr, size_t n, c
     for (size_t i = 0; i < n; i++)
         exact = exact && step[i].high == 0.0;
     size_t used = strlen(c->note);
-    if (exact)
+    if (exact && strcmp(s->figure, "formats") == 0)
         snprintf(c->note + used, sizeof c->note - used, "; %s", rl_judging_exactly);
+    if (*dark)
+        snprintf(c->note + used, sizeof c->note - used, "%s%s: R_r %s", used ? "; " : "", rl_judging_dark,
+                 dark);
     return RL_OK;
 }
 
@@ -123,7 +130,8 @@ static int claim_regular(const struct rl_judging *j, const double *rr, size_t n)
     for (size_t i = 0; i < n; i++) {
         const struct rl_metric *random = find(j, "series=normals normal_bits=8", rr[i], "bias");
         const struct rl_metric *regular = find(j, "series=regular normal_bits=8", rr[i], "change");
-        if (!regular || !random || !(regular->value > 0.0))
+        if (!regular || !random || !(regular->value > 0.0) ||
+            !rl_judging_lit(find(j, "series=normals normal_bits=8", rr[i], "noise_4")))
             continue;
         struct rl_claim ratio = {0};
         rl_judging_ratio(&ratio, random, regular, "1");

@@ -104,6 +104,7 @@ static const struct rl_column columns[] = {
     RL_COLUMNS_WITH_INTERVAL("floor_centre"),
     RL_COLUMNS_WITH_INTERVAL("parallax"),
     {"size", RL_COLUMN_VALUE, "size"},
+    {"highlight", RL_COLUMN_VALUE, "highlight"},
     {"scene_hash", RL_COLUMN_SCENE_HASH, NULL},
 };
 

@@ -15,6 +15,8 @@
  *                                      far and as large; size: the object's radius over the first light's distance
  *     series=seam place=P env_size=S   rmse_map, floor_map: the first light alone in the middle of a face, across an edge or a corner
  *
+ * Of all, highlight: how strong it is, as the noise of the base's pictures, of parallax its RMS; 0: there is nothing to judge.
+ *
  * Rows with "base=1" are what the others of their group are held against. */
 int rl_environment_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                            const struct rl_scene *scene, struct rl_error *error);

@@ -12,7 +12,7 @@
  * another. A face that is missing, turned or mirrored would be wrong by far more. */
 static const double seam_bound = 1.25;
 
-/* A figure of one case against one step of an 8-bit frame buffer. */
+/* A figure of one case against one step of an 8-bit frame buffer. Where the format alone differs, an error of 0 is the format's. */
 static int claim_step(const struct rl_judging *j, const char *figure, const char *pattern, const char *metric,
                       const char *text, const char *note)
 {
@@ -23,9 +23,13 @@ static int claim_step(const struct rl_judging *j, const char *figure, const char
     const struct rl_metric *m = rl_judging_metric(j, pattern, metric);
     if (!m)
         return RL_OK;
+    if (!rl_judging_lit(rl_judging_metric(j, pattern, "highlight"))) {
+        snprintf(c->note, sizeof c->note, "%s", rl_judging_dark);
+        return RL_OK;
+    }
+    bool exact = m->high == 0.0 && strcmp(figure, "format") == 0;
     rl_claim_value(c, m->value, m->low, m->high, "RMSE");
-    snprintf(c->note, sizeof c->note, "%s%s%s", note, m->high == 0.0 ? "; " : "",
-             m->high == 0.0 ? rl_judging_exactly : "");
+    snprintf(c->note, sizeof c->note, "%s%s%s", note, exact ? "; " : "", exact ? rl_judging_exactly : "");
     c->verdict = rl_verdict_at_most(m->low, m->high, RL_STEP_OF_8_BITS);
     return RL_OK;
 }
@@ -107,9 +111,9 @@ static int claim_parallax(const struct rl_judging *j)
     int status =
         claim_step(j, "parallax", "series=parallax away=1", "parallax",
                    "paper: one map for a whole object serves: its parallax is at most 1/255 here", "");
-    if (status != RL_OK)
+    struct rl_claim *c = status == RL_OK ? &j->claims->claim[j->claims->n - 1] : NULL;
+    if (!c || isnan(c->value))
         return status;
-    struct rl_claim *c = &j->claims->claim[j->claims->n - 1];
     double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX];
     size_t n = falling_points(j, "series=parallax", "size", "parallax", size, rmse), below = 0;
     while (below < n && rmse[below] > RL_STEP_OF_8_BITS)

@@ -50,6 +50,15 @@ static int add_floor(struct rl_record *r, const struct rl_seeds *s, const struct
                : status;
 }
 
+/* Whether there is any highlight in the pictures: without one all maps are right. Scenes' surfaces are the same for every seed. */
+static int add_highlight(struct rl_record *r, const struct rl_seeds *base, struct rl_error *error)
+{
+    struct rl_bias_variance split;
+    int status = rl_seeds_split(&split, base, NULL, error);
+    struct rl_interval noise = {split.variance, split.variance_low, split.variance_high};
+    return status == RL_OK ? rl_record_add(r, "highlight", root_of(noise), "1", error) : status;
+}
+
 /* Maps against the first record's; `with_floor`: against the reference too. */
 static int measure_maps(struct rl_record *records, size_t n, struct rl_bench *bench,
                         const struct rl_scene *scene, bool with_floor, struct rl_error *error)
@@ -62,6 +71,8 @@ static int measure_maps(struct rl_record *records, size_t n, struct rl_bench *be
             rl_bench_reference(&centre, bench, scene, records[0].parameters, RL_LIGHT_FROM_OBJECT, error);
     if (status == RL_OK && with_floor)
         status = add_floor(&records[0], &base, centre, error);
+    for (size_t i = 0; i < n && status == RL_OK; i++)
+        status = add_highlight(&records[i], &base, error);
     for (size_t i = 1; i < n && status == RL_OK; i++) {
         struct rl_seeds s = {0};
         status = rl_seeds_draw_case(&s, bench, scene, records[i].parameters, error);
@@ -92,6 +103,18 @@ static int measure_seam(struct rl_record *records, size_t n, struct rl_bench *be
     return status;
 }
 
+/* Nothing but highlights is in the picture. What the tolerance could have made is none. */
+static int add_highlight_of(struct rl_record *r, const struct rl_image *reference, double tolerance,
+                            struct rl_error *error)
+{
+    struct rl_seeds one = {.n = 1, .image = {*reference}};
+    struct rl_bias_variance split;
+    int status = rl_seeds_split(&split, &one, NULL, error);
+    double rms = rl_root(split.bias2);
+    struct rl_interval strength = {rms > tolerance ? rms : 0.0, fmax(0.0, rms - tolerance), rms + tolerance};
+    return status == RL_OK ? rl_record_add(r, "highlight", strength, "1", error) : status;
+}
+
 static int add_parallax(struct rl_record *r, struct rl_bench *bench, const struct rl_scene *scene,
                         struct rl_error *error)
 {
@@ -102,6 +125,8 @@ static int add_parallax(struct rl_record *r, struct rl_bench *bench, const struc
         status = rl_bench_reference(&centre, bench, scene, r->parameters, RL_LIGHT_FROM_OBJECT, error);
     if (status == RL_OK)
         status = rl_metrics_compute(&m, centre, point, error);
+    if (status == RL_OK)
+        status = add_highlight_of(r, point, rl_parameter_number(r->parameters, "tolerance"), error);
     /* Each of both may be off by the tolerance. */
     double t = 2.0 * rl_parameter_number(r->parameters, "tolerance");
     if (status == RL_OK)

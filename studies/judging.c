@@ -8,6 +8,7 @@
 #include "studies/study.h"
 
 const char rl_judging_exactly[] = "not one pixel changes: the format holds this scene's radiances exactly";
+const char rl_judging_dark[] = "not judged, for no normal met a light";
 
 struct rl_claim *rl_judging_claim(const struct rl_judging *j, const char *text)
 {
@@ -177,6 +178,11 @@ bool rl_judging_worse(struct rl_claim *c, enum rl_verdict verdict, double badnes
     c->verdict = verdict;
     *worst = badness;
     return true;
+}
+
+bool rl_judging_lit(const struct rl_metric *light)
+{
+    return !light || light->value > 0.0 || isnan(light->value);
 }
 
 void rl_judging_note(struct rl_claim *c, double rr, double value)

@@ -74,7 +74,14 @@ bool rl_judging_worse(struct rl_claim *c, enum rl_verdict verdict, double badnes
 /* Adds "; R_r 3: 0.031" to the note, "none" for an infinite value, "not measured" for NaN. */
 void rl_judging_note(struct rl_claim *c, double rr, double value);
 
-/* What the note of a change that is exactly 0 says: the scene's values are such as the format holds, and other scenes' need not be. */
+/* Whether there is anything to judge: without a highlight every error is 0 and every bound kept. `light` is the case's noise, or how strong
+ * its highlight is; NULL, not recorded: taken for lit. */
+bool rl_judging_lit(const struct rl_metric *light);
+/* What the note then says. */
+extern const char rl_judging_dark[];
+
+/* What the note of a change of format that is exactly 0 says: the scene's values are such as the format holds, and other scenes'
+ * need not be. */
 extern const char rl_judging_exactly[];
 
 /* a / b as the claim's value, their intervals taken for independent: the worst of both ends; NaN beside nothing. */

@@ -24,6 +24,7 @@ struct world {
     double bias_8, bias_10, regular_8, noise, environment_8, frame_8;
     double change_8; /* of 6 and 10 bits: 0.02 and 0.005 */
     double spread, ms_16, ms_again;
+    double dark_rr; /* where no normal met a light */
 };
 
 static const struct world usual = {
@@ -55,6 +56,7 @@ static void add_normals(struct rl_run *run, const struct world *w, const char *b
         double spread = samples == 4 ? 1000.0 : w->spread;
         metric(r, "bias", bias * rr / 30.0, spread);
         metric(r, "bias_of_noise", bias * rr / 30.0 / w->noise, spread);
+        metric(r, "noise_4", rr == w->dark_rr ? 0.0 : w->noise, w->spread);
         metric(r, "change",
                strcmp(bits, "8") ? 0.02 * pow(2.0, 0.5 * (6.0 - strtod(bits, NULL))) : w->change_8,
                w->spread);
@@ -66,6 +68,7 @@ static void add_change(struct rl_run *run, const struct world *w, const char *wh
     struct rl_record *r = rl_run_add(run, &place, 0, NULL, "%s rr=%g samples=4", what, rr);
     metric(r, "change", change, w->spread);
     metric(r, "change_of_noise", change / w->noise, w->spread);
+    metric(r, "noise_4", rr == w->dark_rr ? 0.0 : w->noise, w->spread);
 }
 
 static void add_time(struct rl_run *run, const char *arm, double to_8)
@@ -177,6 +180,41 @@ static void verdicts_follow_from_rows(void **state)
     w.ms_again = 1.1; /* the clock cannot tell */
     assert_int_equal(VERDICT(w, time), RL_VERDICT_INCONCLUSIVE);
     assert_int_equal(VERDICT(w, "normal maps of 10 bits cost"), RL_VERDICT_INCONCLUSIVE); /* not measured */
+}
+
+/* Where no normal met a light a change of 0 says nothing, and where all is dark there is no verdict. */
+static void darkness_holds_nothing(void **state)
+{
+    (void)state;
+    struct world w = usual;
+    w.bias_8 = 0.0;
+    static const char below[] = "the bias of 8-bit normals is below",
+                      less[] = "8 bits harm random normals less";
+    struct rl_claim c = claim_in(w, below);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_null(strstr(c.note, rl_judging_exactly)); /* it is no format that holds radiances */
+    w.dark_rr = 300.0;
+    c = claim_in(w, below);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS_UP_TO);
+    assert_true(c.value == 30.0);
+    assert_non_null(strstr(c.note, "not judged, for no normal met a light: R_r 300"));
+    assert_int_equal(VERDICT(w, less), RL_VERDICT_HOLDS_UP_TO);
+
+    struct rl_run run = {.study = "bitdepth", .grid = "default"};
+    w.noise = w.environment_8 = w.frame_8 = w.regular_8 = 0.0;
+    w.dark_rr = 30.0;
+    add_normals(&run, &w, "8", 30.0, 0.0);
+    add_change(&run, &w, "series=regular normal_bits=8", 30.0, 0.0);
+    add_change(&run, &w, "series=frame frame_format=rgba8", 30.0, 0.0);
+    static const char *const words[] = {below, "13 regular normals rounded to 8 bits",
+                                        "frame buffer of 8 bits"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        c = claim_of("bitdepth", &run, words[i]);
+        assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+        assert_true(isnan(c.value));
+        assert_string_equal(c.note, "not judged, for no normal met a light: R_r 30");
+    }
+    rl_run_clear(&run);
 }
 
 static void every_grid_has_what_the_claims_need(void **state)
@@ -312,9 +350,8 @@ static void measured_figures_obey_their_order(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(verdicts_follow_from_rows),
-        cmocka_unit_test(every_grid_has_what_the_claims_need),
-        cmocka_unit_test(frame_buffers_round_twice),
+        cmocka_unit_test(verdicts_follow_from_rows),           cmocka_unit_test(darkness_holds_nothing),
+        cmocka_unit_test(every_grid_has_what_the_claims_need), cmocka_unit_test(frame_buffers_round_twice),
         cmocka_unit_test(measured_figures_obey_their_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -119,9 +119,10 @@ static void test_room(void **state)
 /* RMSE of a made-up world. */
 struct world {
     double texels_256, slope, bits_8, parallax, parallax_slope, corner, floor_256, floor_1024;
+    double highlight;
 };
 
-static const struct world usual = {0.001, -1.5, 0.0005, 0.03, 1.0, 0.01, 0.002, 0.001};
+static const struct world usual = {0.001, -1.5, 0.0005, 0.03, 1.0, 0.01, 0.002, 0.001, 0.1};
 
 static struct rl_record *add(struct rl_run *run, const char *parameters, const char *name, double value)
 {
@@ -160,6 +161,10 @@ static void make(struct rl_run *run, const struct world *w)
     add(run, "series=seam base=0 place=edge env_size=64", "floor_map", 0.009);
     add(run, "series=seam base=0 place=corner env_size=64", "floor_map", w->corner);
     add(run, "series=seam base=0 place=middle env_size=256", "floor_map", 0.0001);
+    for (size_t i = 0; i < run->n_records; i++)
+        assert_int_equal(rl_record_metric_add(&run->record[i], "highlight", w->highlight, w->highlight,
+                                              w->highlight, "1", NULL),
+                         RL_OK);
 }
 
 static struct rl_claim judge(struct world w, const char *words)
@@ -232,6 +237,27 @@ static void test_flips(void **state)
     assert_true(fabs(c.value - 5.0) < 1e-9);
 }
 
+/* Without a highlight all errors are 0, and say nothing; nor is an error of 0 the format's where it is the map's size that differs. */
+static void test_dark(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"256 texels a face edge are enough", "texels of 8 bits are enough",
+                                        "a map of 256 texels shows is true", "the largest map shows is true",
+                                        "one map for a whole object serves"};
+    struct world dark = usual, equal = usual;
+    dark.texels_256 = dark.bits_8 = dark.parallax = dark.floor_256 = dark.floor_1024 = dark.highlight = 0.0;
+    equal.texels_256 = equal.bits_8 = equal.parallax = 0.0;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        struct rl_claim c = judge(dark, words[i]);
+        assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+        assert_true(isnan(c.value));
+        assert_string_equal(c.note, rl_judging_dark);
+        c = judge(equal, words[i]);
+        assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+        assert_int_equal(strstr(c.note, rl_judging_exactly) != NULL, i == 1);
+    }
+}
+
 /* Nothing measured: no verdict is made up; every grid has what the claims need. */
 static void test_plan(void **state)
 {
@@ -255,7 +281,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_away),  cmocka_unit_test(test_turned), cmocka_unit_test(test_room),
-        cmocka_unit_test(test_flips), cmocka_unit_test(test_plan),
+        cmocka_unit_test(test_flips), cmocka_unit_test(test_dark),   cmocka_unit_test(test_plan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
