@@ -98,7 +98,7 @@ int rl_bench_settings(struct rl_settings *settings, const char *parameters, stru
     if (status == RL_OK && rl_parameter(parameters, "interpolation", text, sizeof text))
         status = rl_parse_interpolation(&settings->interpolation, text, "interpolation", error);
     if (status == RL_OK && rl_parameter(parameters, "margin", text, sizeof text))
-        status = rl_parse_margin(&settings->margin_kind, &settings->margin, text, "margin", error);
+        status = rl_parse_margin(settings, text, "margin", error);
     const struct {
         const char *key;
         int *value;

@@ -120,6 +120,7 @@ static void switch_on(struct rl_settings *settings, const struct rl_settings *fr
     bool own = from->margin_kind != RL_MARGIN_OFF;
     settings->margin_kind = own ? from->margin_kind : RL_MARGIN_VALUE;
     settings->margin = own ? from->margin : 0.5;
+    settings->margin_bound = from->margin_bound;
 }
 
 int rl_view_make(struct rl_view *view, const struct rl_scene *scene, const struct rl_settings *settings,

@@ -120,7 +120,7 @@ static int plan_alone(struct rl_run *run, const struct rl_place *place, enum rl_
     const struct grid *g = &grids[grid];
     int status = RL_OK;
     for (int r = 0; g->rr[r] > 0.0 && status == RL_OK; r++, group++) {
-        status = add_filled(run, place, g->rr[r], RL_MARGIN_AUTO_LOSS, group, error);
+        status = add_filled(run, place, g->rr[r], RL_MARGIN_BOUND, group, error);
         for (int i = 0; g->loss[i] > 0.0 && status == RL_OK; i++)
             status = add_filled(run, place, g->rr[r], g->loss[i], group, error);
     }

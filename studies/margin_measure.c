@@ -9,16 +9,16 @@
 
 enum { ARMS_MAX = 24, TEXT_MAX = RL_PARAMETERS_MAX + 64 };
 
-/* The largest margin that any material of the plan needs; infinite if one can have no sphere. */
-static double needed_margin(const struct rl_scene *scene, const struct rl_plan *plan, double rr, double loss)
+/* The largest margin that any material of the plan would need with this R_r; infinite if one can have no sphere. */
+static double needed_margin(const struct rl_scene *scene, const struct rl_plan *plan, double rr)
 {
     double largest = 0.0;
     for (size_t i = 0; i < plan->n_materials; i++) {
         struct rl_plan_material m = plan->material[i];
         if (m.highlight_program < 0)
             continue;
-        m.rr = rr > 0.0 ? rr : m.rr;
-        largest = fmax(largest, rl_margin_auto(scene, &m, &plan->settings, loss));
+        m.rr = rr;
+        largest = fmax(largest, rl_margin_auto(scene, &m, &plan->settings, plan->settings.margin_bound));
     }
     return largest;
 }
@@ -27,11 +27,11 @@ static double needed_margin(const struct rl_scene *scene, const struct rl_plan *
 static double first_rr(const struct rl_scene *scene, const struct rl_plan *plan)
 {
     double low = 0.0, high = log(1e9);
-    if (!isfinite(needed_margin(scene, plan, exp(high), RL_MARGIN_AUTO_LOSS)))
+    if (!isfinite(needed_margin(scene, plan, exp(high))))
         return INFINITY;
     for (int i = 0; i < 50; i++) {
         double middle = 0.5 * (low + high);
-        *(isfinite(needed_margin(scene, plan, exp(middle), RL_MARGIN_AUTO_LOSS)) ? &high : &low) = middle;
+        *(isfinite(needed_margin(scene, plan, exp(middle))) ? &high : &low) = middle;
     }
     return exp(high);
 }
@@ -44,20 +44,13 @@ static int make_set(struct rl_bench_scene **set, struct rl_bench *bench, const s
     return rl_bench_scene_make(set, bench, scene, text, 1, error);
 }
 
-/* The case at its own size. A loss in place of a margin is looked up in the plan that would have none. */
+/* The case at its own size; a loss is the bound of `margin auto`. */
 static int make_case(struct rl_bench_scene **set, struct rl_bench *bench, const struct rl_scene *scene,
                      const struct rl_record *r, struct rl_error *error)
 {
-    double loss = rl_parameter_number(r->parameters, "loss");
-    int status = make_set(set, bench, scene, isnan(loss) ? "" : "margin=off ", r, error);
-    if (status != RL_OK || isnan(loss))
-        return status;
-    double margin = needed_margin(scene, &(*set)->plan, 0.0, loss);
-    if (!isfinite(margin))
-        return RL_OK;
-    char head[64];
-    snprintf(head, sizeof head, "margin=%.17g ", margin);
-    rl_bench_scene_free(*set);
+    char loss[RL_NAME_MAX], head[RL_NAME_MAX + 16] = "";
+    if (rl_parameter(r->parameters, "loss", loss, sizeof loss))
+        snprintf(head, sizeof head, "margin=auto:%s ", loss);
     return make_set(set, bench, scene, head, r, error);
 }
 
@@ -77,11 +70,9 @@ static int add_plan(struct rl_record *r, const struct rl_scene *scene, const str
     int status = add(r, "spheres", margin >= 0.0, error);
     if (status == RL_OK && margin >= 0.0)
         status = add(r, "margin", margin, error);
-    bool is_auto = rl_parameters_match(r->parameters, "arm=auto");
-    double loss = is_auto ? RL_MARGIN_AUTO_LOSS : rl_parameter_number(r->parameters, "loss");
-    if (status == RL_OK && !isnan(loss))
-        status = add(r, "bound", loss, error);
-    double rr = is_auto ? first_rr(scene, plan) : NAN;
+    if (status == RL_OK && plan->settings.margin_kind == RL_MARGIN_AUTO)
+        status = add(r, "bound", plan->settings.margin_bound, error);
+    double rr = rl_parameters_match(r->parameters, "arm=auto") ? first_rr(scene, plan) : NAN;
     return status == RL_OK && isfinite(rr) ? add(r, "from_rr", rr, error) : status;
 }
 

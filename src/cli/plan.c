@@ -44,6 +44,24 @@ static void effect_rows(struct rl_rows *rows, const struct rl_scene *scene, cons
     }
 }
 
+/* The bounding spheres' size, and what it is chosen for. */
+static void sphere_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+{
+    const struct rl_settings *s = &plan->settings;
+    char name[128], detail[192], bound[128] = "";
+    if (s->margin_kind == RL_MARGIN_AUTO)
+        snprintf(bound, sizeof bound, "; auto: no pixel loses more than %g of the brightest light's radiance",
+                 s->margin_bound);
+    for (size_t i = 0; i < plan->n_materials; i++) {
+        const struct rl_plan_material *m = &plan->material[i];
+        if (m->sphere_program < 0)
+            continue;
+        snprintf(name, sizeof name, "material %s", scene->material[m->material].name);
+        snprintf(detail, sizeof detail, "margin %.4g%s", m->margin, bound);
+        row(rows, "sphere", name, detail);
+    }
+}
+
 static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
 {
     char name[64];
@@ -176,6 +194,7 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
         row(&rows, "effect", "shadows",
             "of every highlight: lights hidden by other objects; lines are cut at silhouettes, Embree's rays "
             "decide");
+    sphere_rows(&rows, scene, &plan);
     texture_rows(&rows, scene, &plan);
     buffer_rows(&rows, scene, &plan);
     visibility_rows(&rows, scene, &plan);
@@ -217,7 +236,8 @@ const struct rl_command rl_command_plan = {
         "shader modules that\n"
         "follow from them. What is not listed is not allocated, compiled or drawn. Rows: kind, name, detail; "
         "kinds are\n"
-        "effect, highlight, texture, buffer, culling, pass, module; and dropped: what the scene has but "
+        "effect, highlight, sphere, texture, buffer, culling, pass, module; and dropped: what the scene has "
+        "but "
         "cannot change "
         "a "
         "pixel, and why.\n\n"

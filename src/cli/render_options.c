@@ -23,7 +23,10 @@ const struct rl_option rl_options_render[] = {
     {0, "normal-size", "S", "texels along an edge of the normal map, a power of two, 64 to 2048 (512)"},
     {0, "env-size", "S", "texels along an edge of a face of the environment map, 8 to 4096 (256)"},
     {0, "env-format", "F", "rgba8, rgb10a2, r11g11b10f, rgba16, rgba16f, rgba32f (rgba8)"},
-    {0, "margin", "M|off|auto", "bounding-sphere stencil: sphere radius = (1 + M) x the light's (off)"},
+    {0, "margin", "M|off|auto[:B]",
+     "bounding-sphere stencil: sphere radius = (1 + M) x the light's (off); auto: as large as keeps what a "
+     "pixel "
+     "loses within B of the brightest light's radiance (0.02)"},
     {0, "size", "WxH", "pixels (the scene's film)"},
     {0, "seed", "S", "seed of the baked random numbers (1)"},
     {0, "light-from", "WHERE",
@@ -166,7 +169,7 @@ int rl_argument_settings(struct rl_settings *s, const struct rl_arguments *a, st
     if (status == RL_OK && (text = rl_argument(a, "env-format")))
         status = rl_parse_texel_format(&s->env_format, text, "--env-format", error);
     if (status == RL_OK && (text = rl_argument(a, "margin")))
-        status = rl_parse_margin(&s->margin_kind, &s->margin, text, "--margin", error);
+        status = rl_parse_margin(s, text, "--margin", error);
     return status == RL_OK ? rl_settings_check(s, error) : status;
 }
 

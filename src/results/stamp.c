@@ -59,10 +59,11 @@ static void parameters(struct stamp *stamp, const struct rl_settings *s)
     number(stamp, "normal_size", s->normal_size);
     number(stamp, "env_size", s->env_size);
     text(stamp, "env_format", rl_texel_format_name(s->env_format));
+    rl_margin_name(name, s);
     if (s->margin_kind == RL_MARGIN_VALUE)
         number(stamp, "margin", s->margin);
     else
-        text(stamp, "margin", s->margin_kind == RL_MARGIN_AUTO ? "auto" : "off");
+        text(stamp, "margin", name);
     text(stamp, "attenuation", s->attenuation ? "on" : "off");
     text(stamp, "frame", rl_frame_name(s->frame));
     text(stamp, "light_from", s->light_from == RL_LIGHT_FROM_OBJECT ? "object" : "point");

@@ -50,9 +50,6 @@
 
 #include "scene/plan.h"
 
-/* What `margin auto` lets a pixel lose, of the brightest light's radiance. */
-#define RL_MARGIN_AUTO_LOSS 0.02
-
 /* The margin m >= 0 for the objects of one material, 0 < loss < 1, or INFINITY: no sphere. Of the settings normal_bits and
  * env_size count. */
 double rl_margin_auto(const struct rl_scene *scene, const struct rl_plan_material *material,

@@ -220,8 +220,7 @@ static void plan_sphere(struct rl_plan *plan, const struct rl_scene *scene, stru
     const struct rl_settings *s = &plan->settings;
     if (s->margin_kind == RL_MARGIN_OFF)
         return;
-    m->margin =
-        s->margin_kind == RL_MARGIN_AUTO ? rl_margin_auto(scene, m, s, RL_MARGIN_AUTO_LOSS) : s->margin;
+    m->margin = s->margin_kind == RL_MARGIN_AUTO ? rl_margin_auto(scene, m, s, s->margin_bound) : s->margin;
     if (isfinite(m->margin))
         m->sphere_program = sphere_program(plan);
 }

@@ -154,7 +154,7 @@ static int parse_texts(const struct rl_scene_builder *b, const struct rl_raw_ren
         return status;
     *key = "margin";
     if (raw->margin)
-        status = rl_parse_margin(&s->margin_kind, &s->margin, raw->margin, NULL, b->error);
+        status = rl_parse_margin(s, raw->margin, NULL, b->error);
     if (status != RL_OK)
         return status;
     *key = "frame";

@@ -109,6 +109,10 @@ int rl_settings_check_key(const struct rl_settings *s, const char **key, struct 
                        (int)s->margin_kind);
     if (s->margin_kind == RL_MARGIN_VALUE && !(s->margin >= 0.0 && s->margin <= RL_MARGIN_MAX))
         return rl_fail(error, RL_ERR_INPUT, "found %g, expected 0 to %g", s->margin, RL_MARGIN_MAX);
+    if (s->margin_kind == RL_MARGIN_AUTO &&
+        !(s->margin_bound >= RL_MARGIN_BOUND_MIN && s->margin_bound <= RL_MARGIN_BOUND_MAX))
+        return rl_fail(error, RL_ERR_INPUT, "found the bound %g, expected %g to %g", s->margin_bound,
+                       RL_MARGIN_BOUND_MIN, RL_MARGIN_BOUND_MAX);
     *key = "size";
     if (check_size(s->width, error) != RL_OK || check_size(s->height, error) != RL_OK)
         return RL_ERR_INPUT;
@@ -167,22 +171,46 @@ int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct r
     return RL_OK;
 }
 
-int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, const char *what,
-                    struct rl_error *error)
+/* A number of the range and nothing behind it. */
+static bool parse_number(double *value, const char *text, double low, double high)
 {
     char *end;
-    double value = strtod(text, &end);
+    double x = strtod(text, &end);
+    if (end == text || *end != '\0' || !(x >= low && x <= high))
+        return false;
+    *value = x;
+    return true;
+}
+
+int rl_parse_margin(struct rl_settings *settings, const char *text, const char *what, struct rl_error *error)
+{
+    static const char with_bound[] = "auto:";
     if (strcmp(text, "off") == 0) {
-        *kind = RL_MARGIN_OFF;
+        settings->margin_kind = RL_MARGIN_OFF;
     } else if (strcmp(text, "auto") == 0) {
-        *kind = RL_MARGIN_AUTO;
-    } else if (end != text && *end == '\0' && value >= 0.0 && value <= RL_MARGIN_MAX) {
-        *kind = RL_MARGIN_VALUE;
-        *margin = value;
+        settings->margin_kind = RL_MARGIN_AUTO;
+        settings->margin_bound = RL_MARGIN_BOUND;
+    } else if (strncmp(text, with_bound, strlen(with_bound)) == 0) {
+        if (!parse_number(&settings->margin_bound, text + strlen(with_bound), RL_MARGIN_BOUND_MIN,
+                          RL_MARGIN_BOUND_MAX))
+            return fail_parse(error, what, text, "a bound from 1e-6 to 0.999 behind auto:");
+        settings->margin_kind = RL_MARGIN_AUTO;
+    } else if (parse_number(&settings->margin, text, 0.0, RL_MARGIN_MAX)) {
+        settings->margin_kind = RL_MARGIN_VALUE;
     } else {
-        return fail_parse(error, what, text, "off, auto or a number from 0 to 1e6");
+        return fail_parse(error, what, text, "off, auto, auto:BOUND or a number from 0 to 1e6");
     }
     return RL_OK;
+}
+
+void rl_margin_name(char text[32], const struct rl_settings *settings)
+{
+    if (settings->margin_kind == RL_MARGIN_OFF)
+        snprintf(text, 32, "off");
+    else if (settings->margin_kind == RL_MARGIN_AUTO)
+        snprintf(text, 32, "auto:%g", settings->margin_bound);
+    else
+        snprintf(text, 32, "%g", settings->margin);
 }
 
 int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what, struct rl_error *error)

@@ -28,6 +28,11 @@ enum { RL_NORMAL_BITS_HALF = -16, RL_NORMAL_BITS_FLOAT = -32 };
 
 #define RL_MARGIN_MAX 1e6
 
+/* What `margin auto` lets a pixel lose of its highlight, in parts of the brightest light's radiance (scene/margin.h). */
+#define RL_MARGIN_BOUND 0.02
+#define RL_MARGIN_BOUND_MIN 1e-6
+#define RL_MARGIN_BOUND_MAX 0.999
+
 enum { RL_FILM_MAX = 16384 }; /* pixels along either side */
 
 enum rl_margin { RL_MARGIN_OFF, RL_MARGIN_AUTO, RL_MARGIN_VALUE };
@@ -49,8 +54,9 @@ struct rl_settings {
     int env_size;       /* texels along an edge of a cube face: 8 to 4096 */
     enum rl_texel_format env_format;
     enum rl_margin margin_kind;
-    double margin;     /* RL_MARGIN_VALUE: sphere radius = (1 + margin) x the light's; 0 to RL_MARGIN_MAX */
-    int width, height; /* pixels, 1 to 16384; 0: the scene's film */
+    double margin;       /* RL_MARGIN_VALUE: sphere radius = (1 + margin) x the light's; 0 to RL_MARGIN_MAX */
+    double margin_bound; /* RL_MARGIN_AUTO: RL_MARGIN_BOUND_MIN to RL_MARGIN_BOUND_MAX */
+    int width, height;   /* pixels, 1 to 16384; 0: the scene's film */
     uint64_t seed;
     bool attenuation;
     bool drop; /* the plan leaves out what cannot change a pixel; false: for comparison */
@@ -74,6 +80,7 @@ struct rl_settings {
                           .env_size = 256,                                                                   \
                           .env_format = RL_TEXEL_RGBA8,                                                      \
                           .margin_kind = RL_MARGIN_OFF,                                                      \
+                          .margin_bound = RL_MARGIN_BOUND,                                                   \
                           .seed = 1,                                                                         \
                           .attenuation = true,                                                               \
                           .drop = true,                                                                      \
@@ -95,8 +102,8 @@ int rl_settings_check_key(const struct rl_settings *settings, const char **key, 
 int rl_parse_texel_format(enum rl_texel_format *format, const char *text, const char *what,
                           struct rl_error *error);
 int rl_parse_normal_bits(int *bits, const char *text, const char *what, struct rl_error *error);
-int rl_parse_margin(enum rl_margin *kind, double *margin, const char *text, const char *what,
-                    struct rl_error *error);
+/* "off", "auto" (of RL_MARGIN_BOUND), "auto:0.005" (of another bound) or "0.5": the settings' margin_kind and its number. */
+int rl_parse_margin(struct rl_settings *settings, const char *text, const char *what, struct rl_error *error);
 int rl_parse_frame(enum rl_frame_kind *frame, const char *text, const char *what, struct rl_error *error);
 int rl_parse_interpolation(int *interpolation, const char *text, const char *what, struct rl_error *error);
 
@@ -107,6 +114,8 @@ void rl_method_names(char text[], size_t size);
 const char *rl_texel_format_name(enum rl_texel_format format);
 /* "phong", "gouraud" or "constant". */
 const char *rl_interpolation_name(enum rl_interpolation interpolation);
+/* "off", "auto:0.02" or "0.5". */
+void rl_margin_name(char text[32], const struct rl_settings *settings);
 /* "4" to "16", "half" or "float". */
 void rl_normal_bits_name(char text[16], int bits);
 

@@ -76,6 +76,7 @@ bad "size with a tail" "--size: found '5x5x'" render $scene -o "$tmp/x.exr" --si
 bad "normal bits" "--normal-bits: found '3'" render $scene -o "$tmp/x.exr" --normal-bits 3
 bad "environment format" "--env-format: found 'rgb'" render $scene -o "$tmp/x.exr" --env-format rgb
 bad "margin" "--margin: found '-1'" render $scene -o "$tmp/x.exr" --margin -1
+bad "margin's bound" "--margin: found 'auto:1', expected a bound from 1e-6 to 0.999" plan $scene --margin auto:1
 bad "interpolation" "--interpolation: found 'flat', expected phong, gouraud or constant" \
     render $scene -o "$tmp/x.exr" --interpolation flat
 bad "backend" "'vulkan'" render $scene -o "$tmp/x.exr" --backend vulkan

@@ -67,6 +67,15 @@ interpolates() {
 }
 check "plan says where effects are interpolated, and scenes without that have nothing of it" interpolates
 
+spheres() {
+    "$rl" plan studies/scenes/sphere-quad.yaml --rr 300 --margin auto:0.05 |
+        grep -q "^sphere	material .*	margin [0-9.]*; auto: no pixel loses more than 0.05 of the brightest" &&
+        "$rl" plan studies/scenes/sphere-quad.yaml --rr 300 --margin auto | grep -q "^sphere	.* more than 0.02 of" &&
+        "$rl" plan studies/scenes/sphere-quad.yaml --margin 0.25 | grep -q "^sphere	material [a-z]*	margin 0.25$" &&
+        ! "$rl" plan studies/scenes/sphere-quad.yaml | grep -q "^sphere"
+}
+check "plan says how large the bounding spheres are, and what they keep" spheres
+
 # Rows
 light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
 integrate() { "$rl" integrate --view 0.3,0,1 --rr 30 --light "$light" "$@"; }

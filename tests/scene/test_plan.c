@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include "scene/margin.h"
 #include "scene/planned.h"
 
 static void test_random(void **state)
@@ -229,6 +230,28 @@ static void test_margin(void **state)
     clear();
 }
 
+/* The bound reaches the closed form: the less may be lost, the larger the sphere. */
+static void test_margin_bound(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *line;
+        double bound;
+    } row[] = {{"  margin: auto:0.5", 0.5}, {"  margin: auto:0.3", 0.3}, {"  margin: auto:0.2", 0.2}};
+    double margin[3];
+    for (size_t i = 0; i < 3; i++) {
+        load(35, 35, row[i].line);
+        scene.settings.rr = 100.0;
+        make(&scene.settings);
+        const struct rl_plan_material *shiny = rl_plan_of_object(&plan, &scene, 0);
+        margin[i] = shiny->margin;
+        assert_true(shiny->sphere_program >= 0);
+        check_near(margin[i], rl_margin_auto(&scene, shiny, &plan.settings, row[i].bound), 1e-9);
+        clear();
+    }
+    assert_true(margin[0] < margin[1] && margin[1] < margin[2]);
+}
+
 static void test_refused(void **state)
 {
     (void)state;
@@ -302,8 +325,9 @@ int main(void)
         cmocka_unit_test(test_plain),         cmocka_unit_test(test_reference),
         cmocka_unit_test(test_exhaustive),    cmocka_unit_test(test_left_out),
         cmocka_unit_test(test_sharing),       cmocka_unit_test(test_margin),
-        cmocka_unit_test(test_refused),       cmocka_unit_test(test_deterministic),
-        cmocka_unit_test(test_modules_exist), cmocka_unit_test(test_visibility),
+        cmocka_unit_test(test_margin_bound),  cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_deterministic), cmocka_unit_test(test_modules_exist),
+        cmocka_unit_test(test_visibility),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -154,6 +154,7 @@ static void test_render_block(void **state)
     load_with(&s, 35, 35, "  attenuation: true\n  margin: auto\n  normal-bits: 12");
     assert_true(s.settings.attenuation);
     assert_int_equal(s.settings.margin_kind, RL_MARGIN_AUTO);
+    check_near(s.settings.margin_bound, 0.02, 0.0);
     assert_int_equal(s.settings.normal_bits, 12);
     rl_scene_clear(&s);
 }

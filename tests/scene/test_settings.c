@@ -64,6 +64,9 @@ static void test_ranges(void **state)
                 RL_ERR_INPUT, "--margin: found -0.1");
     check_fails((WITH(margin, NAN), s.margin_kind = RL_MARGIN_VALUE, rl_settings_check(&s, &error)), &error,
                 RL_ERR_INPUT, "--margin: found nan");
+    check_fails((WITH(margin_bound, 0.0), s.margin_kind = RL_MARGIN_AUTO, rl_settings_check(&s, &error)),
+                &error, RL_ERR_INPUT, "--margin: found the bound 0");
+    check_ok(WITH(margin_bound, NAN), &error);
     check_ok(WITH(margin, NAN), &error); /* nobody reads it with margin off */
     check_ok(WITH(width, 16384), &error);
     check_fails(WITH(width, 16385), &error, RL_ERR_INPUT, "--size: found 16385, expected 1 to 16384");
@@ -123,15 +126,26 @@ static void test_names_and_back(void **state)
 static void test_margin(void **state)
 {
     (void)state;
-    enum rl_margin kind = RL_MARGIN_OFF;
-    double margin = -7.0;
-    check_ok(rl_parse_margin(&kind, &margin, "auto", "--margin", &error), &error);
-    assert_int_equal(kind, RL_MARGIN_AUTO);
-    check_ok(rl_parse_margin(&kind, &margin, "0.25", "--margin", &error), &error);
-    assert_int_equal(kind, RL_MARGIN_VALUE);
-    check_near(margin, 0.25, 0.0);
-    check_ok(rl_parse_margin(&kind, &margin, "off", "--margin", &error), &error);
-    assert_int_equal(kind, RL_MARGIN_OFF);
+    struct rl_settings s = RL_SETTINGS_DEFAULT;
+    char name[32];
+    check_near(s.margin_bound, 0.02, 0.0);
+    check_ok(rl_parse_margin(&s, "auto:0.005", "--margin", &error), &error);
+    assert_int_equal(s.margin_kind, RL_MARGIN_AUTO);
+    check_near(s.margin_bound, 0.005, 0.0);
+    rl_margin_name(name, &s);
+    assert_string_equal(name, "auto:0.005");
+    check_ok(rl_parse_margin(&s, "auto", "--margin", &error), &error); /* what another bound was before */
+    assert_int_equal(s.margin_kind, RL_MARGIN_AUTO);
+    check_near(s.margin_bound, 0.02, 0.0);
+    check_ok(rl_parse_margin(&s, "0.25", "--margin", &error), &error);
+    assert_int_equal(s.margin_kind, RL_MARGIN_VALUE);
+    check_near(s.margin, 0.25, 0.0);
+    rl_margin_name(name, &s);
+    assert_string_equal(name, "0.25");
+    check_ok(rl_parse_margin(&s, "off", "--margin", &error), &error);
+    assert_int_equal(s.margin_kind, RL_MARGIN_OFF);
+    rl_margin_name(name, &s);
+    assert_string_equal(name, "off");
 }
 
 static void test_misspelt(void **state)
@@ -139,8 +153,7 @@ static void test_misspelt(void **state)
     (void)state;
     enum rl_texel_format format;
     enum rl_frame_kind frame;
-    enum rl_margin kind;
-    double margin;
+    struct rl_settings settings = RL_SETTINGS_DEFAULT;
     int bits;
     check_fails(rl_parse_texel_format(&format, "rgba64", "--env-format", &error), &error, RL_ERR_INPUT,
                 "--env-format: found 'rgba64', expected rgba8, rgb10a2,");
@@ -155,8 +168,13 @@ static void test_misspelt(void **state)
                     "expected 4 to 16, half or float");
     static const char *const no_margin[] = {"", "-1", "nan", "inf", "1e7", "1x", "on"};
     for (size_t i = 0; i < sizeof no_margin / sizeof no_margin[0]; i++)
-        check_fails(rl_parse_margin(&kind, &margin, no_margin[i], "--margin", &error), &error, RL_ERR_INPUT,
-                    "expected off, auto or a number");
+        check_fails(rl_parse_margin(&settings, no_margin[i], "--margin", &error), &error, RL_ERR_INPUT,
+                    "expected off, auto, auto:BOUND or a number");
+    static const char *const no_bound[] = {"auto:", "auto:0", "auto:1", "auto:-0.1", "auto:nan", "auto:0.1x"};
+    for (size_t i = 0; i < sizeof no_bound / sizeof no_bound[0]; i++)
+        check_fails(rl_parse_margin(&settings, no_bound[i], "--margin", &error), &error, RL_ERR_INPUT,
+                    "expected a bound from 1e-6 to 0.999");
+    assert_int_equal(settings.margin_kind, RL_MARGIN_OFF); /* as it was */
 }
 
 int main(void)
