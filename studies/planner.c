@@ -10,10 +10,19 @@
 #include "base/paths.h"
 #include "studies/scene_check.h"
 
+/* A study draws a scene in many sizes, the widest 16:9: the planes are to hold what any of them shows. */
+static int load(struct rl_scene *scene, const char *path, struct rl_error *error)
+{
+    int status = rl_scene_load(scene, path, error);
+    if (status == RL_OK && scene->width * 9 < scene->height * 16)
+        rl_scene_fit_planes(scene, 16, 9);
+    return status;
+}
+
 int rl_study_scene_load(struct rl_scene *scene, const char *name, struct rl_error *error)
 {
     if (access(name, F_OK) == 0 || strchr(name, '/') || strchr(name, '.'))
-        return rl_scene_load(scene, name, error);
+        return load(scene, name, error);
     char relative[NAME_MAX + 32], path[PATH_MAX];
     /* In the source tree, or as installed. */
     snprintf(relative, sizeof relative, "studies/scenes/%.200s.yaml", name);
@@ -23,7 +32,7 @@ int rl_study_scene_load(struct rl_scene *scene, const char *name, struct rl_erro
             return rl_fail(error, RL_ERR_INPUT,
                            "%s: no file of that name, and no scene shipped with roughlight", name);
     }
-    return rl_scene_load(scene, path, error);
+    return load(scene, path, error);
 }
 
 /* The file's name without folder and ending. */

@@ -173,7 +173,7 @@ static void program_rows(struct rl_rows *rows, const struct rl_scene *scene, con
     }
 }
 
-static int print(const struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
+static int print(struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
 {
     struct rl_settings settings = scene->settings;
     struct rl_plan plan = {0};
@@ -183,6 +183,8 @@ static int print(const struct rl_scene *scene, const struct rl_arguments *a, str
         status = rl_argument_settings(&settings, a, error);
     if (status == RL_OK)
         status = rl_argument_check_effect(a, scene, &settings, error);
+    if (status == RL_OK && settings.width > 0)
+        rl_scene_fit_planes(scene, settings.width, settings.height);
     if (status == RL_OK)
         status = rl_plan_make(&plan, scene, &settings, error);
     if (status != RL_OK)

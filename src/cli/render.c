@@ -207,7 +207,7 @@ static int check_method(const struct rl_plan *plan, const struct request *reques
     return RL_OK;
 }
 
-static int render(const struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
+static int render(struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
 {
     struct rl_settings settings = scene->settings;
     struct rl_plan plan = {0};
@@ -218,6 +218,8 @@ static int render(const struct rl_scene *scene, const struct rl_arguments *a, st
         status = rl_argument_check_effect(a, scene, &settings, error);
     if (status == RL_OK)
         status = take_request(&request, a, error);
+    if (status == RL_OK && settings.width > 0)
+        rl_scene_fit_planes(scene, settings.width, settings.height);
     if (status == RL_OK)
         status = rl_plan_make(&plan, scene, &settings, error);
     if (status == RL_OK)

@@ -8,7 +8,7 @@
 #include "scene/plan_build.h"
 
 /* Room for rounding, in units of the lengths compared. */
-#define SLACK 1e-5
+#define SLACK RL_VIEW_SLACK
 
 const struct rl_effect *rl_plan_zero_factor(const struct rl_material *material)
 {
@@ -27,11 +27,9 @@ static bool out_of_view(const struct rl_plan *plan, const struct rl_scene *scene
 {
     const struct rl_camera *c = &scene->camera;
     rl_vec3 d = v3_sub(object->centre, c->position);
-    double x = fabs(v3_dot(d, c->right)), y = fabs(v3_dot(d, c->up)), z = v3_dot(d, c->forward);
-    double r = object->radius + SLACK * (v3_length(d) + object->radius);
-    double t_y = tan(0.5 * c->fov_y), t_x = t_y * plan->settings.width / plan->settings.height;
-    return z + r <= c->near_plane || z - r >= c->far_plane || x - t_x * z >= r * sqrt(1.0 + t_x * t_x) ||
-           y - t_y * z >= r * sqrt(1.0 + t_y * t_y);
+    double z = v3_dot(d, c->forward), r = object->radius + SLACK * (v3_length(d) + object->radius);
+    return z + r <= c->near_plane || z - r >= c->far_plane ||
+           rl_camera_misses(c, plan->settings.width, plan->settings.height, object->centre, object->radius);
 }
 
 void rl_plan_drop_objects(struct rl_plan *plan, const struct rl_scene *scene)

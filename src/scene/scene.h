@@ -60,9 +60,10 @@ struct rl_camera {
     rl_vec3 position;
     rl_vec3 right, up, forward; /* orthonormal, right-handed with -forward as z */
     double fov_y;               /* vertical, radians */
-    /* Distances along `forward`, 0 < near_plane < far_plane: what is nearer or farther is not seen. They enclose every object but where
-     * the scene file says otherwise, or where the near one would be below a thousandth of the far one. */
+    /* Distances along `forward`, 0 < near_plane < far_plane: what is nearer or farther is not seen. They enclose every object in the view
+     * but where the scene file says otherwise, or where the near one would be below a thousandth of the far one. */
     double near_plane, far_plane;
+    bool near_given, far_given; /* by the scene file */
 };
 
 struct rl_scene {
@@ -105,6 +106,14 @@ void rl_scene_lights_clear(struct rl_lights *lights);
 /* World direction (unit) through the centre of pixel (x, y) of a width x height image; y = 0 is the top
  * row. */
 rl_vec3 rl_camera_ray(const struct rl_camera *camera, int width, int height, int x, int y);
+
+/* Room for rounding in single precision, in units of the lengths compared. */
+#define RL_VIEW_SLACK 1e-5
+/* Whether no pixel of such a film can show anything of a sphere, whatever the planes: it is behind the eye or beside the view. */
+bool rl_camera_misses(const struct rl_camera *camera, int width, int height, rl_vec3 centre, double radius);
+
+/* For a film of another shape than the scene's, which shows other objects: fits the planes that the file does not give again. */
+void rl_scene_fit_planes(struct rl_scene *scene, int width, int height);
 
 /* Column-major 4x4 for OpenGL: clip = projection x view x world. Depth is -1 at the near plane and 1 at the far one; `reversed`: 1 and
  * 0, for a clip volume from zero to one. */

@@ -48,23 +48,53 @@ int rl_build_camera(const struct rl_scene_builder *b)
     return status;
 }
 
-/* Tight round the objects. */
-static void planes_round_objects(const struct rl_scene *scene, double *near, double *far)
+bool rl_camera_misses(const struct rl_camera *camera, int width, int height, rl_vec3 centre, double radius)
+{
+    rl_vec3 d = v3_sub(centre, camera->position);
+    double x = fabs(v3_dot(d, camera->right)), y = fabs(v3_dot(d, camera->up));
+    double z = v3_dot(d, camera->forward), r = radius + RL_VIEW_SLACK * (v3_length(d) + radius);
+    double t_y = tan(0.5 * camera->fov_y), t_x = t_y * width / height;
+    return z + r <= 0.0 || x - t_x * z >= r * sqrt(1.0 + t_x * t_x) ||
+           y - t_y * z >= r * sqrt(1.0 + t_y * t_y);
+}
+
+/* Tight round the objects that are in the view: one behind the eye would pull the near plane to it, one far out to the side push it away,
+ * and neither is seen. A plane that the file gives (0: it does not) stays. */
+static void fit_planes(const struct rl_scene *scene, int width, int height, double *near, double *far)
 {
     const struct rl_camera *camera = &scene->camera;
-    double nearest = HUGE_VAL, farthest = -HUGE_VAL;
+    double nearest = HUGE_VAL, farthest = 0.0;
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_object *object = &scene->object[i];
+        if (rl_camera_misses(camera, width, height, object->centre, object->radius))
+            continue;
         double depth = v3_dot(v3_sub(object->centre, camera->position), camera->forward);
         nearest = fmin(nearest, depth - object->radius);
         farthest = fmax(farthest, depth + object->radius);
     }
-    /* Everything lies behind the camera: any planes will do. */
-    if (!(farthest > 0.0))
-        farthest = 1.0;
+    /* Nothing is seen: any planes will do. */
+    if (!(farthest > 0.0)) {
+        nearest = 0.0;
+        farthest = *near > 0.0 ? 2.0 * *near : 1.0;
+    }
     /* A little slack keeps a surface at the very end in the picture. */
-    *far = 1.001 * farthest;
-    *near = 0.999 * nearest;
+    if (!(*far > 0.0))
+        *far = 1.001 * farthest;
+    if (!(*near > 0.0))
+        *near = fmax(0.999 * nearest, NEAR_TO_FAR * *far);
+}
+
+void rl_scene_fit_planes(struct rl_scene *scene, int width, int height)
+{
+    struct rl_camera *camera = &scene->camera;
+    double near = camera->near_given ? camera->near_plane : 0.0;
+    double far = camera->far_given ? camera->far_plane : 0.0;
+    fit_planes(scene, width, height, &near, &far);
+    /* If not, all that such a film shows is nearer than the one that is given, or farther: the others are as good. */
+    if (far >= (1.0 + PLANES_APART) * near) {
+        camera->near_plane = near;
+        camera->far_plane = far;
+    }
 }
 
 /* Whether the planes are apart; if not, the message is about one that the file gives. */
@@ -84,7 +114,8 @@ static int check_planes(const struct rl_scene_builder *b, double near, double fa
 int rl_build_camera_planes(const struct rl_scene_builder *b)
 {
     const struct rl_raw_camera *raw = &b->raw->camera;
-    double near, far;
+    struct rl_camera *camera = &b->scene->camera;
+    double near = raw->near ? *raw->near : 0.0, far = raw->far ? *raw->far : 0.0;
     int status = RL_OK;
     if (raw->near)
         status = rl_build_range(b, "camera.near", *raw->near, 1.0 / RL_LENGTH_MAX, RL_LENGTH_MAX);
@@ -92,11 +123,11 @@ int rl_build_camera_planes(const struct rl_scene_builder *b)
         status = rl_build_range(b, "camera.far", *raw->far, 1.0 / RL_LENGTH_MAX, RL_LENGTH_MAX);
     if (status != RL_OK)
         return status;
-    planes_round_objects(b->scene, &near, &far);
-    far = raw->far ? *raw->far : far;
-    near = raw->near ? *raw->near : fmax(near, NEAR_TO_FAR * far);
-    b->scene->camera.near_plane = near;
-    b->scene->camera.far_plane = far;
+    fit_planes(b->scene, b->scene->width, b->scene->height, &near, &far);
+    camera->near_given = raw->near;
+    camera->far_given = raw->far;
+    camera->near_plane = near;
+    camera->far_plane = far;
     return check_planes(b, near, far);
 }
 

@@ -88,6 +88,47 @@ static void test_planes(void **state)
     load_with(&s, 4, 4, "  target: [0, 1, 10]"); /* everything lies behind */
     assert_true(s.camera.near_plane > 0.0 && s.camera.far_plane > s.camera.near_plane);
     rl_scene_clear(&s);
+    load_with(&s, 4, 6, "  target: [0, 1, 10]\n  field-of-view: 40\n  near: 50");
+    assert_true(s.camera.near_plane == 50.0 && s.camera.far_plane > 50.0);
+    rl_scene_clear(&s);
+}
+
+/* What no pixel shows leaves the planes where they are: behind the eye, beside the view, above it, far out to the side. A film that shows it
+ * wants others. */
+static void test_planes_of_what_is_seen(void **state)
+{
+    (void)state;
+    static const char scene[] = "film: {width: 320, height: 240}\n"
+                                "camera: {position: [0, 1.5, 5], target: [0, 0, 0], field-of-view: 40}\n"
+                                "materials: [{name: m, ambient: [0.9, 0.1, 0.1]}]\n"
+                                "objects: [{shape: plane, material: m}%s]\n";
+    static const char *const unseen[] = {
+        ", {shape: sphere, material: m, translate: [0, 0, 20]}",
+        ", {shape: sphere, material: m, translate: [4.2, 1.5, 4]}",
+        ", {shape: sphere, material: m, translate: [0, 5, 4.5]}",
+        ", {shape: sphere, material: m, translate: [-90000, 0, -90000]}",
+    };
+    struct rl_scene s;
+    char text[512];
+    double near = 0.0, far = 0.0;
+    for (size_t i = 0; i <= sizeof unseen / sizeof unseen[0]; i++) {
+        int n = snprintf(text, sizeof text, scene, i ? unseen[i - 1] : "");
+        put_file(path, text, (size_t)n);
+        check_ok(rl_scene_load(&s, path, &error), &error);
+        if (i == 0) {
+            near = s.camera.near_plane;
+            far = s.camera.far_plane;
+            assert_true(near > 3.5 && near < 4.0 && far < 7.0);
+        }
+        check_near(s.camera.near_plane, near, 0.0);
+        check_near(s.camera.far_plane, far, 0.0);
+        /* A film so wide that it shows the ball beside the eye. */
+        rl_scene_fit_planes(&s, 2400, 240);
+        assert_true(i == 2 ? s.camera.near_plane < 1.0 : s.camera.near_plane == near);
+        rl_scene_fit_planes(&s, s.width, s.height);
+        check_near(s.camera.near_plane, near, 0.0);
+        rl_scene_clear(&s);
+    }
 }
 
 /* As the file says; the one that it does not give fits the objects. */
@@ -146,6 +187,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_camera),
         cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_planes_of_what_is_seen),
         cmocka_unit_test(test_planes_of_scenes),
         cmocka_unit_test(test_given_planes),
         cmocka_unit_test(test_visibility_settings),
