@@ -62,14 +62,18 @@ if (figure eq "price") {
     set logscale x
     set format x "10^{%L}"
     lowest = 1e-5
-    above(x) = x > lowest ? x : lowest
+    at_least(x) = x > lowest ? x : lowest
     set xrange [lowest:2 * MAX_max]
-    unset ytics
+    # Lines that lead back to the names.
+    set ytics 0, 1, ROW_max scale 0 format ""
+    set grid ytics
     set key at screen 0.81, 0.02 bottom center maxcols 2
     if (small) { set key off }
     set arrow 2 from 1.0 / 255.0, -0.7 to 1.0 / 255.0, ROW_max + 0.7 nohead linestyle 90
-    plot data using (lowest):(bar(0)):(lowest):(row(above(column("rmse")))):(bar(-0.3)):(bar(0.3)) with boxxyerror linecolor rgb "#009e73" title "RMSE", \
-        data using (row(column("max") > 0 ? above(column("max")) : NaN)):(bar(0)) with points linetype 4 pointtype 9 pointsize 0.9 title "worst pixel", \
+    # Marks: a bar on a logarithmic axis would have no foot to stand on.
+    plot data using (row(column("rmse") > 0 ? at_least(column("rmse")) : NaN)):(bar(0)) with points linetype 3 pointtype 7 pointsize 1 title "RMSE", \
+        data using (row(column("max") > 0 ? at_least(column("max")) : NaN)):(bar(0)) with points linetype 4 pointtype 8 pointsize 1 title "worst pixel", \
+        data using (row(column("max") == 0 ? 1.5 * lowest : NaN)):(bar(0)):(small ? "" : "no pixel changes") with labels left font ",11" textcolor rgb "#6a7076" notitle, \
         NaN with lines linestyle 90 title "1/255"
     unset multiplot
 }
