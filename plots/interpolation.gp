@@ -95,7 +95,10 @@ if (figure eq "time") {
     set logscale xy
     set xlabel "triangles"
     set ylabel "median frame time in ms"
-    set format x "10^{%L}"
+    # Few counts may have been timed, with no power of ten among them.
+    set format "%g"
+    set xtics (100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000)
+    set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
     set xrange [N_min / 2:N_max * 2]
     set yrange [MS_min / 2:MS_max * 2]
     set bmargin 10.5

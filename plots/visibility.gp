@@ -87,15 +87,16 @@ if (figure eq "map") {
     unset colorbox
     set border 0
     set xtics scale 0 ("16 bits" 0.5 * width, "24 bits" right + 0.5 * width)
+    # As far apart in grey as in colour.
     set palette maxcolors 4
-    set palette defined (0 "#f4f5f6", 1 "#9ecae1", 2 "#7f2704", 3 "#bdbdbd")
+    set palette defined (0 "#ffffff", 1 "#c6dbef", 2 "#7f2704", 3 "#8a8a8a")
     set cbrange [-0.5:3.5]
     set key maxcols 3
     unset datafile columnheaders
     plot for [k = 1:2] $map using ($1 == k ? (k - 1) * right + $2 : NaN):3:4 with image notitle, \
-        NaN with points pointtype 5 pointsize 2 linecolor rgb "#9ecae1" title "right", \
+        NaN with points pointtype 5 pointsize 2 linecolor rgb "#c6dbef" title "right", \
         NaN with points pointtype 5 pointsize 2 linecolor rgb "#7f2704" title "wrong", \
-        NaN with points pointtype 5 pointsize 2 linecolor rgb "#bdbdbd" title "not judged"
+        NaN with points pointtype 5 pointsize 2 linecolor rgb "#8a8a8a" title "not judged"
 }
 
 if (figure eq "culling") {
