@@ -30,10 +30,12 @@ if (figure eq "size") {
     set yrange [edge_of(1e-4, 3 * RMSE_max):3 * RMSE_max]
     set label 1 "1/255" at graph 0.01, first step * 1.15 left textcolor rgb "#6a7076" font ",12"
     sized(aside) = row("size") ? column("env_size_px") * aside : NaN
-    plot data using (sized(1)):(standing(column("rmse_map"))):(ended(column("rmse_map_low"))):(ended(column("rmse_map_high"))) \
-            with yerrorlines linetype 1 pointsize 0.9 title "against the largest map", \
+    plot data using (sized(1)):(above(column("rmse_map"))) with linespoints linetype 1 pointsize 0.9 title "against the largest map", \
+        data using (sized(1)):(standing(column("rmse_map"))):(ended(column("rmse_map_low"))):(ended(column("rmse_map_high"))) \
+            with yerrorbars linetype 1 dashtype 1 pointsize 0.9 notitle, \
+        data using (sized(1 / 1.06)):(above(column("floor_map"))) with linespoints linetype 2 pointsize 0.9 title "noise taken out", \
         data using (sized(1 / 1.06)):(standing(column("floor_map"))):(ended(column("floor_map_low"))):(ended(column("floor_map_high"))) \
-            with yerrorlines linetype 2 pointsize 0.9 title "noise taken out", \
+            with yerrorbars linetype 2 dashtype 1 pointsize 0.9 notitle, \
         data using (sized(1 / 1.06)):(sunk(column("floor_map"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
         data using (sized(1.06)):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorbars linetype 3 pointsize 0.9 title "against the reference", \

@@ -75,12 +75,14 @@ if (figure eq "split") {
     part(s) = row("methods", s, "random") && column("rr") == central ? column("samples") : NaN
     # Bars of both settings side by side, else they cover each other.
     beside(i) = part(word(settings, i)) * 1.08 ** (i - 1)
-    plot for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
-            with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "noise, " . name(word(settings, i)), \
+    plot for [i = 1:words(settings)] data using (part(word(settings, i))):(above(column("noise"))) \
+            with linespoints linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "noise, " . name(word(settings, i)), \
+        for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
+            with yerrorbars linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 notitle, \
         for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
             with yerrorbars linetype i dashtype 1 pointtype 2 * i + 2 pointsize 0.9 notitle, \
         for [i = 1:words(settings)] data using (part(word(settings, i))):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
-        for [i = 1:words(settings)] data using (part(word(settings, i))):(standing(column("floor"))) \
+        for [i = 1:words(settings)] data using (part(word(settings, i))):(above(column("floor"))) \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "floor, " . name(word(settings, i)), \
         for [i = 1:words(settings)] data using (beside(i)):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
             with yerrorbars linetype i + 2 dashtype 1 pointtype 2 * i + 6 pointsize 0.9 title "floor − parallax, " . name(word(settings, i)), \
@@ -107,11 +109,13 @@ if (figure eq "floor") {
     low = CENTRE_min < step ? CENTRE_min : step
     top = 10 ** ceil(log10(FLOOR_max > PARALLAX_max ? FLOOR_max : PARALLAX_max))
     set yrange [edge_of(10 ** floor(log10(low)), top):top]
-    plot data using (here(column("env_size_px"))):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
-            with yerrorlines linetype 1 pointsize 1 title "against the reference", \
+    plot data using (here(column("env_size_px"))):(above(column("floor"))) with linespoints linetype 1 pointsize 1 title "against the reference", \
+        data using (here(column("env_size_px"))):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
+            with yerrorbars linetype 1 dashtype 1 pointsize 1 notitle, \
         data using (here(column("env_size_px"))):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
+        data using (here(column("env_size_px"))):(above(column("floor_centre"))) with linespoints linetype 2 dashtype 1 pointsize 1 title "seen from the object's centre", \
         data using (here(column("env_size_px"))):(standing(column("floor_centre"))):(ended(column("floor_centre_low"))):(ended(column("floor_centre_high"))) \
-            with yerrorlines linetype 2 dashtype 1 pointsize 1 title "seen from the object's centre", \
+            with yerrorbars linetype 2 dashtype 1 pointsize 1 notitle, \
         data using (here(column("env_size_px"))):(sunk(column("floor_centre"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
         PARALLAX_max with lines linetype 3 dashtype 4 title "parallax alone", \
         step with lines linestyle 90 title "1/255", \
