@@ -36,8 +36,9 @@ if (figure eq "quad" || figure eq "star") {
     plot for [i = 1:words(names)] data using (took(word(names, i))):(standing(column("error_p90"))):"time_us_low":"time_us_high":(ended(column("true_error"))):(ended(column("error_max"))) \
             with xyerrorbars linetype i dashtype 1 linewidth 0.5 pointsize 0.01 notitle, \
         for [i = 1:words(names)] data using (took(word(names, i))):(sunk(column("error_p90"))):(0):(fall(0)) with vectors arrowstyle i notitle, \
-        for [i = 1:words(names)] data using (took(word(names, i))):(standing(column("error_p90"))) \
+        for [i = 1:words(names)] data using (took(word(names, i))):(above(column("error_p90"))) \
             with linespoints linetype i pointsize 1 title title_of(word(names, i)), \
+        for [i = 1:words(names)] data using (took(word(names, i))):(sunk(column("error_p90"))) with points linetype i pointsize 1 notitle, \
         for [i = 1:words(names)] data using (labelled(word(names, i)) ? column("time_us") : NaN):(standing(column("error_p90"))):(sprintf("%g", column("tolerance"))) \
             with labels offset 0.8, 0.8 left font ",11" textcolor rgb "#57606a" notitle
 }

@@ -94,11 +94,15 @@ if (figure eq "scene") {
     if (!exists("MAX_max")) { exit status 3 }
     top = 10 ** ceil(log10(MAX_max > step ? MAX_max : step))
     set yrange [edge_of(1e-5, top):top]
-    plot data using (here(column("rr"))):(standing(column("rmse"))):(ended(column("rmse_low"))):(ended(column("rmse_high"))) with yerrorlines linetype 1 pointsize 1 title "RMSE", \
+    plot data using (here(column("rr"))):(above(column("rmse"))) with linespoints linetype 1 pointsize 1 title "RMSE", \
+        data using (here(column("rr"))):(standing(column("rmse"))):(ended(column("rmse_low"))):(ended(column("rmse_high"))) \
+            with yerrorbars linetype 1 dashtype 1 pointsize 1 notitle, \
         data using (here(column("rr"))):(sunk(column("rmse"))):(0):(fall(0)) with vectors arrowstyle 1 notitle, \
-        data using (here(column("rr"))):(standing(column("max"))) with linespoints linetype 2 pointsize 1 title "worst pixel", \
+        data using (here(column("rr"))):(above(column("max"))) with linespoints linetype 2 pointsize 1 title "worst pixel", \
+        data using (here(column("rr"))):(sunk(column("max"))) with points linetype 2 pointsize 1 notitle, \
         data using (here(column("rr"))):(sunk(column("max"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
-        data using (here(column("rr"))):(standing(column("moved"))) with linespoints linetype 3 pointsize 1 title "share of pixels moved by more than 1/255", \
+        data using (here(column("rr"))):(above(column("moved"))) with linespoints linetype 3 pointsize 1 title "share of pixels moved by more than 1/255", \
+        data using (here(column("rr"))):(sunk(column("moved"))) with points linetype 3 pointsize 1 notitle, \
         data using (here(column("rr"))):(sunk(column("moved"))):(0):(fall(0)) with vectors arrowstyle 3 notitle, \
         step with lines linestyle 90 title "1/255"
 }

@@ -62,12 +62,17 @@ if (figure eq "error" || figure eq "centre") {
     top = 10 ** ceil(log10(E_max))
     set yrange [edge_of(low, top):top]
     set key maxcols 3
-    plot data using (row("paper", "plain", 0) ? column("rr") : NaN):(standing(column(metric))) with linespoints linetype 4 pointsize 0.9 title "plain", \
-        data using (row("paper", "exhaustive", 0) ? column("rr") : NaN):(standing(column(metric))) with linespoints linetype 5 dashtype 1 pointtype 10 pointsize 1.1 title "exhaustive", \
-        for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):(standing(column(metric))) \
+    plot data using (row("paper", "plain", 0) ? column("rr") : NaN):(above(column(metric))) with linespoints linetype 4 pointsize 0.9 title "plain", \
+        data using (row("paper", "plain", 0) ? column("rr") : NaN):(sunk(column(metric))) with points linetype 4 pointsize 0.9 notitle, \
+        data using (row("paper", "exhaustive", 0) ? column("rr") : NaN):(above(column(metric))) with linespoints linetype 5 dashtype 1 pointtype 10 pointsize 1.1 title "exhaustive", \
+        data using (row("paper", "exhaustive", 0) ? column("rr") : NaN):(sunk(column(metric))) with points linetype 5 pointtype 10 pointsize 1.1 notitle, \
+        for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):(above(column(metric))) \
             with linespoints linetype i dashtype 2 pointtype 2 * i + 2 pointsize 0.9 title "regular " . word(regular, i), \
+        for [i = 1:words(regular)] data using (row("paper", "regular", word(regular, i) + 0) ? column("rr") : NaN):(sunk(column(metric))) with points linetype i pointtype 2 * i + 2 pointsize 0.9 notitle, \
+        for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):(above(column(metric))) \
+            with linespoints linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random " . word(random, i), \
         for [i = 1:words(random)] data using (row("paper", "random", word(random, i) + 0) ? column("rr") : NaN):(standing(column(metric))):(ended(column(metric . "_low"))):(ended(column(metric . "_high"))) \
-            with yerrorlines linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 title "random " . word(random, i), \
+            with yerrorbars linetype i dashtype 1 pointtype 2 * i + 3 pointsize 0.9 notitle, \
         step with lines linestyle 90 title "1/255"
 }
 
@@ -79,12 +84,18 @@ if (figure eq "split") {
     fine = 0
     stats data using (here(strcol("scene")) && strcol("setting") eq "fine" && column("samples") > fine ? fine = column("samples") : NaN) nooutput
     part(setting, samples) = row(setting, "random", samples) ? column("rr") : NaN
-    plot data using (part("paper", 4)):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
-            with yerrorlines linetype 1 dashtype 1 pointsize 0.9 title "noise, 4 normals", \
+    plot data using (part("paper", 4)):(above(column("noise"))) \
+            with linespoints linetype 1 dashtype 1 pointsize 0.9 title "noise, 4 normals", \
+        data using (part("paper", 4)):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
+            with yerrorbars linetype 1 dashtype 1 pointsize 0.9 notitle, \
+        data using (part("paper", largest + 0)):(above(column("noise"))) \
+            with linespoints linetype 7 dashtype 1 pointtype 6 pointsize 0.9 title "noise, " . largest . " normals", \
         data using (part("paper", largest + 0)):(standing(column("noise"))):(ended(column("noise_low"))):(ended(column("noise_high"))) \
-            with yerrorlines linetype 7 dashtype 1 pointtype 6 pointsize 0.9 title "noise, " . largest . " normals", \
+            with yerrorbars linetype 7 dashtype 1 pointtype 6 pointsize 0.9 notitle, \
+        data using (part("paper", largest + 0)):(above(column("floor"))) \
+            with linespoints linetype 2 dashtype 1 pointsize 0.9 title "floor", \
         data using (part("paper", largest + 0)):(standing(column("floor"))):(ended(column("floor_low"))):(ended(column("floor_high"))) \
-            with yerrorlines linetype 2 dashtype 1 pointsize 0.9 title "floor", \
+            with yerrorbars linetype 2 dashtype 1 pointsize 0.9 notitle, \
         data using (part("paper", largest + 0)):(sunk(column("floor"))):(0):(fall(0)) with vectors arrowstyle 2 notitle, \
         data using (part("paper", largest + 0)):"parallax" \
             with lines linetype 4 dashtype 3 title "parallax alone", \
