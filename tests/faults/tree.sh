@@ -1,3 +1,4 @@
+# shellcheck shell=sh disable=SC2154
 # Sourced by what plants faults: a copy of the tree, built like this one, to plant them in. The caller has set `build` (where this tree
 # is built), `scratch` (a folder of its own) and `tree` (in it, not there yet).
 
