@@ -3,7 +3,9 @@
 # tree, builds it, and expects exit code 1; and 0 for the harmless changes, harmless-NAME.patch. A patch that does not apply or build
 # fails. `make faults` runs them all, or those that F names: some 20 seconds each.
 #
-#   BUILD=build tests/faults/run.sh [--scene SCENE]... [FAULT]...      --scene: only these cases of the check, as `none`, which is quicker
+#   BUILD=build tests/faults/run.sh [--scene SCENE]... [--seeds N] [FAULT]...
+#
+# --scene and --seeds are the check's: the cases of no scene (`none`), or fewer seeds, are quicker.
 #
 # stdout: a row a fault, TSV: fault, result (caught, passed, missed, alarmed, broken), metrics that are worse, the one that is
 # farthest beyond what it can see, and what the fault is.
@@ -12,9 +14,9 @@ build=${BUILD:-build}
 here=$(dirname "$0")
 # shellcheck source=tests/faults/tree.sh
 . "$here/tree.sh"
-scenes=
-while [ "${1-}" = --scene ] && [ $# -ge 2 ]; do
-    scenes="$scenes --scene $2"
+options=
+while case ${1-} in --scene | --seeds) [ $# -ge 2 ] ;; *) false ;; esac do
+    options="$options $1 $2"
     shift 2
 done
 for name; do
@@ -33,7 +35,7 @@ copy_tree || exit 2
 
 # check: the rows in $scratch/rows; its exit code
 # shellcheck disable=SC2086
-check() { (cd "$tree" && exec "$build/roughlight" study check $scenes) >"$scratch/rows" 2>"$scratch/stderr"; }
+check() { (cd "$tree" && exec "$build/roughlight" study check $options) >"$scratch/rows" 2>"$scratch/stderr"; }
 
 # The number of metrics that are worse, and the one that is so by the largest multiple of what it detects.
 worse() {
