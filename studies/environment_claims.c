@@ -81,8 +81,50 @@ static size_t falling_points(const struct rl_judging *j, const char *pattern, co
     return n;
 }
 
+/* The points of a fit. An error that noise hides came out as 0, which has no logarithm: it is known to be at most its interval's end,
+ * and leaving it out would keep the large errors alone. */
+struct slope_points {
+    size_t n, n_all;                             /* those above 0; with those hidden, which come last */
+    double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX]; /* of one that is hidden, the most that it may be */
+    char hidden[160], exact[160];                /* in words: what was not above 0 */
+};
+
+/* Adds "256 (at most 0.001)", or the texels alone where there is no more to say. */
+static void note_point(char text[160], double texels, double most)
+{
+    size_t used = strlen(text);
+    char also[32] = "";
+    if (most > 0.0)
+        snprintf(also, sizeof also, " (at most %.2g)", most);
+    snprintf(text + used, 160 - used, "%s%g%s", used ? ", " : "", texels, also);
+}
+
+static void slope_points(struct slope_points *p, const struct rl_judging *j, double largest)
+{
+    *p = (struct slope_points){0};
+    for (int hidden = 0; hidden < 2; hidden++) {
+        for (const struct rl_record *r = NULL;
+             (r = rl_run_next(j->run, r, j->scene, "series=size base=0")) && p->n_all < RL_AXIS_MAX;) {
+            const struct rl_metric *m = rl_record_metric(r, "floor_map");
+            double size = rl_parameter_number(r->parameters, "env_size");
+            if (!m || !(size <= largest) || (m->value > 0.0) == (hidden == 1))
+                continue;
+            if (hidden && !(m->high > 0.0)) {
+                note_point(p->exact, size, 0.0);
+                continue;
+            }
+            if (hidden)
+                note_point(p->hidden, size, m->high);
+            p->size[p->n_all] = size;
+            p->rmse[p->n_all++] = hidden ? m->high : m->value;
+        }
+        p->n = hidden ? p->n : p->n_all;
+    }
+}
+
 /* An edge of the light is wrong by half a texel at most: less than in proportion would be a fault. The largest maps are near the one
- * that stands for the truth and look too good: only up to a quarter of it. */
+ * that stands for the truth and look too good: only up to a quarter of it. The interval holds the fits with and without what
+ * noise hides. */
 static int claim_slope(const struct rl_judging *j)
 {
     struct rl_claim *c = rl_judging_claim(
@@ -90,16 +132,21 @@ static int claim_slope(const struct rl_judging *j)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "size";
-    double size[RL_AXIS_MAX], rmse[RL_AXIS_MAX], base[RL_AXIS_MAX];
-    size_t n_base = rl_judging_axis(j, "series=size base=1", "env_size", base), kept = 0;
-    size_t n = points(j, "series=size base=0", "env_size", "floor_map", size, rmse);
-    for (size_t i = 0; i < n && n_base > 0; i++)
-        if (size[i] <= base[0] / 4.0 && rmse[i] > 0.0) {
-            size[kept] = size[i];
-            rmse[kept++] = rmse[i];
-        }
-    struct rl_interval s = rl_loglog_slope(size, rmse, kept, 0.95);
+    double base[RL_AXIS_MAX];
+    size_t n_base = rl_judging_axis(j, "series=size base=1", "env_size", base);
+    struct slope_points p;
+    slope_points(&p, j, n_base > 0 ? base[0] / 4.0 : 0.0);
+    struct rl_interval s = rl_loglog_slope(p.size, p.rmse, p.n, 0.95);
+    if (p.n_all > p.n) {
+        struct rl_interval most = rl_loglog_slope(p.size, p.rmse, p.n_all, 0.95);
+        s = (struct rl_interval){isnan(s.value) ? most.value : s.value, fmin(s.low, most.low),
+                                 fmax(s.high, most.high)};
+    }
     rl_claim_value(c, s.value, s.low, s.high, "slope");
+    if (*p.hidden || *p.exact)
+        snprintf(c->note, sizeof c->note, "%s%s%s%s%s", *p.hidden ? "hidden by noise at texels " : "",
+                 p.hidden, *p.hidden && *p.exact ? "; " : "",
+                 *p.exact ? "left out, no error at all, texels " : "", p.exact);
     c->verdict = rl_verdict_at_most(s.low, s.high, -1.0);
     return RL_OK;
 }

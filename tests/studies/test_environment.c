@@ -120,9 +120,11 @@ static void test_room(void **state)
 struct world {
     double texels_256, slope, bits_8, parallax, parallax_slope, corner, floor_256, floor_1024;
     double highlight;
+    int hidden; /* of a map of so many texels noise hides the error, which is at most hidden_high */
+    double hidden_high;
 };
 
-static const struct world usual = {0.001, -1.5, 0.0005, 0.03, 1.0, 0.01, 0.002, 0.001, 0.1};
+static const struct world usual = {0.001, -1.5, 0.0005, 0.03, 1.0, 0.01, 0.002, 0.001, 0.1, 0, 0.0};
 
 static struct rl_record *add(struct rl_run *run, const char *parameters, const char *name, double value)
 {
@@ -144,8 +146,9 @@ static void make(struct rl_run *run, const struct world *w)
         double floor = w->floor_256 * 256.0 / size;
         assert_int_equal(rl_record_metric_add(r, "floor_centre", floor, floor, floor, "1", NULL), RL_OK);
         /* The two largest are too near to the base to be believed. */
-        double seen = size == 512 ? 1e-9 : e;
-        assert_int_equal(rl_record_metric_add(r, "floor_map", seen, seen, seen, "1", NULL), RL_OK);
+        double seen = size == 512 ? 1e-9 : size == w->hidden ? 0.0 : e;
+        double high = size == w->hidden ? w->hidden_high : seen;
+        assert_int_equal(rl_record_metric_add(r, "floor_map", seen, seen, high, "1", NULL), RL_OK);
     }
     add(run, "series=format base=0 env_format=rgba8", "rmse_map", w->bits_8);
     /* In no order, and with one larger than the scene's own: as an axis may have them. */
@@ -213,9 +216,25 @@ static void test_flips(void **state)
     w.slope = -0.5;
     assert_int_equal(judge(w, slope).verdict, RL_VERDICT_FAILS);
 
+    /* What noise hides is not left out without a word: it may be as large as its interval says. */
+    w = usual;
+    w.hidden = 256;
+    w.hidden_high = 0.001; /* on the line */
+    struct rl_claim c = judge(w, slope);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_string_equal(c.note, "hidden by noise at texels 256 (at most 0.001)");
+    w.hidden_high = 0.1; /* no fall is known there */
+    c = judge(w, slope);
+    assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_true(fabs(c.value + 1.5) < 1e-9 && c.high > -1.0);
+    w.hidden_high = 0.0;
+    c = judge(w, slope);
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_string_equal(c.note, "left out, no error at all, texels 256");
+
     static const char parallax[] = "one map for a whole object serves";
     w = usual;
-    struct rl_claim c = judge(w, parallax);
+    c = judge(w, parallax);
     assert_int_equal(c.verdict, RL_VERDICT_FAILS);
     assert_non_null(strstr(c.note, "light's distance 0.2; "));
     assert_non_null(strstr(c.note, "1/255 is reached at 0.0261")); /* 0.2/255/0.03 */
