@@ -7,7 +7,7 @@
 /* One group for each R_r, of the arms base, sampling, normals, map, format, sphere, frame (the GPU's, with one setting of the
  * base changed), parallax and bits (of the reference), and all. What each is held against is in budget_measure.c.
  *
- * Metrics: mse, rmse, bias, with intervals over seeds; of all arms but base and all, share, their part of the sum of mse; of
+ * Metrics: mse, rmse, bias, with intervals over seeds and by the tolerance of the references that they rest on; of all arms but base and all, share, their part of the sum of mse; of
  * all, interaction: its mse less that sum, and interaction_share, the same over its mse. */
 int rl_budget_measure(struct rl_record *records, size_t n, struct rl_bench *bench,
                       const struct rl_scene *scene, struct rl_error *error);

@@ -22,10 +22,12 @@ struct truth {
     const struct rl_image *point, *centre; /* references */
 };
 
-/* Squared error and bias of every seed; those without chance have the same for all. */
+/* Squared error and bias of every seed; those without chance have the same for all. What is held against references is as sure as
+ * they are: each value, and so the RMSE, may be off by `slack`. */
 struct errors {
     size_t n;
     double mse[RL_SEEDS_MAX], bias[RL_SEEDS_MAX];
+    double slack;
 };
 
 static bool is_arm(const struct rl_record *r, const char *arm)
@@ -45,6 +47,21 @@ static int take(struct errors *e, size_t k, const struct rl_image *image, const 
     e->mse[k] = m.rmse * m.rmse;
     e->bias[k] = m.bias;
     return status;
+}
+
+/* A seed's squared error at least (way -1) and at most (way 1); 0: as it was found. */
+static double mse_at(const struct errors *e, size_t k, int way)
+{
+    double rmse = fmax(0.0, rl_root(e->mse[k]) + way * e->slack);
+    return way == 0 ? e->mse[k] : rmse * rmse;
+}
+
+/* From the least to the most: over seeds, and by what references leave open. */
+static struct rl_interval hull(const double least[], const double value[], const double most[], size_t n)
+{
+    struct rl_interval middle = rl_mean_interval(value, n, 0.95);
+    return (struct rl_interval){middle.value, rl_mean_interval(least, n, 0.95).low,
+                                rl_mean_interval(most, n, 0.95).high};
 }
 
 /* As a frame buffer of 8 bits stores it, without gamma. Alpha stays. */
@@ -90,7 +107,10 @@ static int measure_arm(struct errors *e, const struct rl_record *r, struct rl_be
 {
     int status = RL_OK;
     bool parallax = is_arm(r, "parallax"), base = is_arm(r, "base"), bits = is_arm(r, "bits");
+    double tolerance = rl_parameter_number(r->parameters, "tolerance");
     e->n = truth->base.n;
+    /* Of two references each may be off. What rounding does to a value changes by no more than the value. */
+    e->slack = parallax ? 2.0 * tolerance : base || bits || is_arm(r, "all") ? tolerance : 0.0;
     if (!parallax && !base && !bits)
         return take_pictures(e, r, bench, scene, truth, error);
     for (size_t k = 0; base && k < e->n && status == RL_OK; k++)
@@ -107,9 +127,15 @@ static int measure_arm(struct errors *e, const struct rl_record *r, struct rl_be
 
 static int add_errors(struct rl_record *r, const struct errors *e, struct rl_error *error)
 {
-    struct rl_interval mse = rl_mean_interval(e->mse, e->n, 0.95),
-                       bias = rl_mean_interval(e->bias, e->n, 0.95);
+    double least[RL_SEEDS_MAX], most[RL_SEEDS_MAX];
+    for (size_t k = 0; k < e->n; k++) {
+        least[k] = mse_at(e, k, -1);
+        most[k] = mse_at(e, k, 1);
+    }
+    struct rl_interval mse = hull(least, e->mse, most, e->n), bias = rl_mean_interval(e->bias, e->n, 0.95);
     mse.low = fmax(mse.low, 0.0);
+    bias.low -= e->slack;
+    bias.high += e->slack;
     int status = rl_record_add(r, "mse", mse, "1", error);
     if (status == RL_OK)
         status = rl_record_add(r, "rmse",
@@ -118,37 +144,59 @@ static int add_errors(struct rl_record *r, const struct errors *e, struct rl_err
     return status == RL_OK ? rl_record_add(r, "bias", bias, "1", error) : status;
 }
 
+static bool is_single(const struct rl_record *r)
+{
+    return !is_arm(r, "all") && !is_arm(r, "base");
+}
+
+/* The sum of the single arms' squared errors in one seed, but for the arm `but` (n: of all). */
+static double sum_at(const struct rl_record *records, const struct errors *e, size_t n, size_t but, size_t k,
+                     int way)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++)
+        sum += i != but && is_single(&records[i]) ? mse_at(&e[i], k, way) : 0.0;
+    return sum;
+}
+
+/* Of no error no share. */
+static double share_of(double part, double rest)
+{
+    return part + rest > 0.0 ? part / (part + rest) : NAN;
+}
+
+static int add_interaction(struct rl_record *records, const struct errors *e, size_t n, size_t all,
+                           struct rl_error *error)
+{
+    double left[3][RL_SEEDS_MAX], part[3][RL_SEEDS_MAX];
+    for (size_t k = 0; k < e[all].n; k++)
+        for (int way = -1; way <= 1; way++) {
+            double whole = mse_at(&e[all], k, way);
+            left[way + 1][k] = whole - sum_at(records, e, n, n, k, -way);
+            part[way + 1][k] = whole > 0.0 ? left[way + 1][k] / whole : NAN;
+        }
+    int status =
+        rl_record_add(&records[all], "interaction", hull(left[0], left[1], left[2], e[all].n), "1", error);
+    return status == RL_OK ? rl_record_add(&records[all], "interaction_share",
+                                           hull(part[0], part[1], part[2], e[all].n), "1", error)
+                           : status;
+}
+
 /* Of each seed's own sum, so that what seeds have in common drops out. */
 static int add_shares(struct rl_record *records, const struct errors *e, size_t n, struct rl_error *error)
 {
-    double sum[RL_SEEDS_MAX] = {0.0};
     int status = RL_OK;
-    size_t all = n;
-    for (size_t i = 0; i < n; i++) {
-        bool single = !is_arm(&records[i], "all") && !is_arm(&records[i], "base");
-        all = is_arm(&records[i], "all") ? i : all;
-        for (size_t k = 0; single && k < e[i].n; k++)
-            sum[k] += e[i].mse[k];
-    }
     for (size_t i = 0; i < n && status == RL_OK; i++) {
-        double share[RL_SEEDS_MAX];
-        if (i == all || is_arm(&records[i], "base"))
+        double share[3][RL_SEEDS_MAX];
+        if (is_arm(&records[i], "all"))
+            status = add_interaction(records, e, n, i, error);
+        if (!is_single(&records[i]))
             continue;
         for (size_t k = 0; k < e[i].n; k++)
-            share[k] = sum[k] > 0.0 ? e[i].mse[k] / sum[k] : NAN; /* of no error no share */
-        status = rl_record_add(&records[i], "share", rl_mean_interval(share, e[i].n, 0.95), "1", error);
+            for (int way = -1; way <= 1; way++)
+                share[way + 1][k] = share_of(mse_at(&e[i], k, way), sum_at(records, e, n, i, k, -way));
+        status = rl_record_add(&records[i], "share", hull(share[0], share[1], share[2], e[i].n), "1", error);
     }
-    if (status != RL_OK || all == n)
-        return status;
-    double left[RL_SEEDS_MAX], part[RL_SEEDS_MAX];
-    for (size_t k = 0; k < e[all].n; k++) {
-        left[k] = e[all].mse[k] - sum[k];
-        part[k] = e[all].mse[k] > 0.0 ? left[k] / e[all].mse[k] : NAN;
-    }
-    status = rl_record_add(&records[all], "interaction", rl_mean_interval(left, e[all].n, 0.95), "1", error);
-    if (status == RL_OK)
-        status = rl_record_add(&records[all], "interaction_share", rl_mean_interval(part, e[all].n, 0.95),
-                               "1", error);
     return status;
 }
 

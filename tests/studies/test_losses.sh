@@ -46,6 +46,11 @@ check "budget: the whole is the sum and the interaction" "$tmp/budget.tsv" '
     END { seen = 1; d = whole - sum - rest; if ((d < 0 ? -d : d) > 1e-9 * whole) print whole " is not " sum " + " rest }'
 check "budget: rounding to 8 bits is a step evenly spread, 1/255 over the root of 12" "$tmp/budget.tsv" '
     c["arm"] == "bits" { seen = 1; if (c["rmse"] < 0.0008 || c["rmse"] > 0.0013) bad(c["rmse"]) }'
+check "budget: what rests on references is as sure as they are, 1e-4" "$tmp/budget.tsv" '
+    c["arm"] == "parallax" || c["arm"] == "bits" { seen = 1; t = c["arm"] == "bits" ? 1e-4 : 2e-4
+      low = c["rmse"] - c["rmse_low"] - t; high = c["rmse_high"] - c["rmse"] - t
+      if (low < -1e-7 || low > 1e-7 || high < -1e-7 || high > 1e-7) bad(c["arm"] " " c["rmse_low"] " to " c["rmse_high"])
+      if (!(c["share_low"] < c["share"] && c["share"] < c["share_high"])) bad(c["arm"] " share " c["share_low"] " to " c["share_high"]) }'
 check "budget: 8-bit normals are far below the noise of 4" "$tmp/budget.tsv" '
     c["arm"] == "normals" { seen = 1; if (!(c["share"] < 0.01 && c["mse"] > 0)) bad("share " c["share"]) }'
 check "environment: the error falls as the map grows" "$tmp/environment.tsv" '
