@@ -30,6 +30,21 @@ static const char *feature_of(char name[RL_NAME_MAX], const struct rl_record *r)
     return name;
 }
 
+/* Gives the claim a ratio of times, its interval made wider by so many times the floor (what two arms of the same work differ by, see
+ * claim_both_ways) over the full frame. Without the floor nothing tells chance from a price. */
+static void ratio_with_floor(struct rl_claim *c, const struct rl_judging *j, const char *metric, double times)
+{
+    const struct rl_metric *ratio = rl_judging_metric(j, all, metric);
+    const struct rl_metric *full = rl_judging_metric(j, all, "full_ms");
+    const struct rl_metric *floor_ms = rl_judging_metric(j, all, "floor_ms");
+    if (!ratio || !full || !floor_ms)
+        return;
+    double room = times * floor_ms->value / full->value;
+    rl_claim_value(c, ratio->value, ratio->low - room, ratio->high + room, "times");
+    snprintf(c->note, sizeof c->note, "two arms of the same work differ by up to %.2g ms of %.3g",
+             floor_ms->value, full->value);
+}
+
 static int claim_zero_time(const struct rl_judging *j)
 {
     struct rl_claim *c =
@@ -39,9 +54,7 @@ static int claim_zero_time(const struct rl_judging *j)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "price";
-    const struct rl_metric *zero = rl_judging_metric(j, all, "time_zero");
-    if (zero)
-        rl_claim_value(c, zero->value, zero->low, zero->high, "times");
+    ratio_with_floor(c, j, "time_zero", 1.0);
     c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.02);
     return RL_OK;
 }
@@ -90,6 +103,18 @@ static int claim_both_ways(const struct rl_judging *j)
     return RL_OK;
 }
 
+/* The differences of arms in `time_sum`: with a feature and without, for each that it adds up (culling is not one), and the bare frame
+ * against the full one. */
+static double differences_of_sum(const struct rl_judging *j)
+{
+    double n = 1.0;
+    for (const struct rl_record *r = NULL; (r = rl_run_next(j->run, r, j->scene, ""));)
+        n += is_named(r, NULL) && !rl_parameters_match(r->parameters, "feature=culling kind=switch");
+    return n;
+}
+
+/* Each of the sum's differences may be off by the floor. Were arms each on their own, n of them would be off by its sqrt(n) times; but one
+ * arm, the bare frame, is in all of them, and what it is off by is there n times over: the floor of the sum is n times that of one. */
 static int claim_sum(const struct rl_judging *j)
 {
     struct rl_claim *c = rl_judging_claim(
@@ -98,9 +123,7 @@ static int claim_sum(const struct rl_judging *j)
     if (!c)
         return RL_ERR_SYSTEM;
     c->figure = "price";
-    const struct rl_metric *sum = rl_judging_metric(j, all, "time_sum");
-    if (sum)
-        rl_claim_value(c, sum->value, sum->low, sum->high, "times");
+    ratio_with_floor(c, j, "time_sum", differences_of_sum(j));
     c->verdict = rl_verdict_equals(c->low, c->high, 1.0, 0.1);
     return RL_OK;
 }
@@ -137,7 +160,7 @@ static int claim_share(const struct rl_judging *j)
     return RL_OK;
 }
 
-/* The dearest effect against the highlight that samples. Both ends of both intervals count. */
+/* The dearest effect against the highlight that samples. Both ends of both intervals count, and the floor of both. */
 static int claim_dearest(const struct rl_judging *j)
 {
     struct rl_claim *c = rl_judging_claim(j, "ours: no effect costs more than the highlight of random "
@@ -156,8 +179,14 @@ static int claim_dearest(const struct rl_judging *j)
         dearest = added;
         feature_of(name, r);
     }
-    if (dearest && random && random->low > 0.0) {
-        rl_judging_ratio(c, dearest, random, "times");
+    const struct rl_metric *floor_ms = rl_judging_metric(j, all, "floor_ms");
+    if (dearest && random && floor_ms) {
+        struct rl_metric above = *dearest, below = *random;
+        above.low -= floor_ms->value;
+        above.high += floor_ms->value;
+        below.low -= floor_ms->value;
+        below.high += floor_ms->value;
+        rl_judging_ratio(c, &above, &below, "times");
         snprintf(c->note, sizeof c->note, "of %.40s", name);
     }
     c->verdict = rl_verdict_at_most(c->low, c->high, 1.0);

@@ -119,6 +119,47 @@ static void verdicts_flip(void **state)
     }
 }
 
+/* A clock that two arms of the same work differ by a quarter of the frame on tells nothing, whichever way the figures are. */
+static void chance_decides_nothing(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *words;
+        size_t field;
+        double right, wrong;
+    } rows[] = {
+        {"no time:", offsetof(struct world, zero), 1.0, 1.2},
+        {"adds to a bare scene is", offsetof(struct world, removed), 0.45, 2.0},
+        {"add up", offsetof(struct world, sum), 1.0, 1.3},
+        {"no effect costs more", offsetof(struct world, added), 0.5, 3.0},
+        {"spheres save time", offsetof(struct world, sphere), -1.0, 1.0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        for (int wrong = 0; wrong < 2; wrong++) {
+            struct world w = usual;
+            struct rl_run run;
+            w.floor = 2.5;
+            memcpy((char *)&w + rows[i].field, wrong ? &rows[i].wrong : &rows[i].right, sizeof(double));
+            make(&run, &w);
+            struct rl_claim c = claim_of("effects", &run, rows[i].words);
+            if (c.verdict != RL_VERDICT_INCONCLUSIVE)
+                fail_msg("%s is %s", rows[i].words, rl_verdict_name(c.verdict));
+            rl_run_clear(&run);
+        }
+}
+
+/* Four named features: five differences of arms in the sum, each off by 0.02 ms of 10 at most. */
+static void the_sum_has_a_floor_for_each_difference(void **state)
+{
+    (void)state;
+    struct rl_run run;
+    make(&run, &usual);
+    struct rl_claim c = claim_of("effects", &run, "add up");
+    check_near(c.low, 1.01 - 0.01 - 5.0 * 0.02 / 10.0, 1e-12);
+    check_near(c.high, 1.01 + 0.01 + 5.0 * 0.02 / 10.0, 1e-12);
+    rl_run_clear(&run);
+}
+
 static void nothing_measured_decides_nothing(void **state)
 {
     (void)state;
@@ -218,6 +259,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(verdicts_flip),
+        cmocka_unit_test(chance_decides_nothing),
+        cmocka_unit_test(the_sum_has_a_floor_for_each_difference),
         cmocka_unit_test(nothing_measured_decides_nothing),
         cmocka_unit_test(everything_is_measured),
         cmocka_unit_test(others_are_hosted),
