@@ -164,6 +164,8 @@ static const struct rl_column band_columns[] = {
     {"line_px", RL_COLUMN_NUMBER, "width"},
     {"step", RL_COLUMN_VALUE, "step"},
     {"bend", RL_COLUMN_VALUE, "bend"},
+    {"slope", RL_COLUMN_VALUE, "slope"},
+    {"jump", RL_COLUMN_VALUE, "jump"},
 };
 
 static const struct rl_column time_columns[] = {

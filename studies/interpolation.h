@@ -18,10 +18,11 @@
  *                          rmse, max: radiance at the points of the exact surface that the pixels of a picture show, by the mesh against
  *                          the surface itself, both in double precision on the CPU; triangles; points. All of an object and light are
  *                          one group
- *     series=bands object=O tessellation=T interpolation=I
- *                          along one line of the picture: step, the largest difference of two neighbouring pixels; bend, the largest
- *                          change of slope from one pixel to the next, the line's length being 1. Series radiance and bend.
- *                          interpolation=exact: the surface itself
+ *     series=bands object=O surface=S tessellation=T interpolation=I
+ *                          along one line of the picture, whose length is 1: slope, the largest slope of radiance; jump, the largest
+ *                          change of slope from one triangle to the next, both of the mesh whatever the pixels are; step, the largest
+ *                          difference of two neighbouring pixels; bend, the largest change of slope from one pixel to the next. Series
+ *                          radiance and bend. surface=exact: the surface itself
  *     series=time object=O tessellation=T interpolation=I arm=A
  *                          frame_ms and the like (timing_arms.h), time_to_phong. arm=again: phong once more
  */

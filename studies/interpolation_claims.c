@@ -136,26 +136,30 @@ static int claim_step(const struct rl_judging *j, const char *object, const char
     return RL_OK;
 }
 
-/* The largest change of slope from one pixel to the next, over that of the surface itself. */
-static int claim_bends(const struct rl_judging *j, const char *object, const char *figure, bool gouraud)
+/* A corner of radiance along the line, over the steepest that the surface itself is there. Neither has to do with pixels: a change of slope
+ * from one to the next, of a smooth radiance, is its second derivative times the pixel's width, and a ratio to that grows with the picture.
+ * What radiance linear between knots h apart has as jump is the second difference of the surface's own radiance over h: all that its slope
+ * changes by from edge to edge, at once; where an edge is as wide as the highlight's flank that is as much as the slope itself. */
+static int claim_jumps(const struct rl_judging *j, const char *object, const char *figure, bool gouraud)
 {
-    static const char *const before[] = {"ours: Phong shading leaves no Mach bands: its slope changes from "
-                                         "pixel to pixel by at most twice as much as "
-                                         "the surface's own (",
-                                         "ours: Gouraud shading makes Mach bands: its slope changes from "
-                                         "pixel to pixel by at least five times as much "
-                                         "as the surface's own ("};
+    static const char *const before[] = {
+        "ours: Phong shading leaves no Mach bands: at no edge does its slope "
+        "jump by more than a tenth of the surface's own largest slope (",
+        "ours: Gouraud shading makes Mach bands: at an edge its slope jumps "
+        "by at least half of the surface's own largest slope ("};
     struct rl_claim *c = begin(j, object, before[gouraud], ")", figure);
     if (!c)
         return RL_ERR_SYSTEM;
-    const struct rl_metric *bend = on_line(j, object, "mesh", gouraud ? "gouraud" : "phong", "bend");
-    const struct rl_metric *own = on_line(j, object, "exact", "phong", "bend");
-    if (bend && own) {
-        rl_judging_ratio(c, bend, own, "times");
-        note(c, "the surface's own", own->value);
+    const struct rl_metric *jump = on_line(j, object, "mesh", gouraud ? "gouraud" : "phong", "jump");
+    const struct rl_metric *slope = on_line(j, object, "exact", "phong", "slope");
+    const struct rl_metric *own = on_line(j, object, "exact", "phong", "jump");
+    if (jump && slope) {
+        rl_judging_ratio(c, jump, slope, "of the slope");
+        note(c, "the surface's own slope", slope->value);
+        note(c, "and what is found as its jump", own ? own->value : NAN);
     }
     c->verdict =
-        gouraud ? rl_verdict_at_least(c->low, c->high, 5.0) : rl_verdict_at_most(c->low, c->high, 2.0);
+        gouraud ? rl_verdict_at_least(c->low, c->high, 0.5) : rl_verdict_at_most(c->low, c->high, 0.1);
     return RL_OK;
 }
 
@@ -164,8 +168,8 @@ static int claim_bands(const struct rl_judging *j, const char *object)
     const char *figure = strcmp(object, "sphere") == 0 ? "bands" : "teapot-bands";
     int status = claim_step(j, object, figure);
     if (status == RL_OK)
-        status = claim_bends(j, object, figure, true);
-    return status == RL_OK ? claim_bends(j, object, figure, false) : status;
+        status = claim_jumps(j, object, figure, true);
+    return status == RL_OK ? claim_jumps(j, object, figure, false) : status;
 }
 
 /* ---- Time ---- */

@@ -73,12 +73,12 @@ struct world {
     double phong, gouraud, constant; /* powers of h */
     double side;                     /* of gouraud, lit from the side */
     double scale[3];                 /* RMSE at h = 1: phong, gouraud, constant */
-    double step, bend_gouraud, bend_phong;
+    double step, jump_gouraud, jump_phong;
     double few, many; /* time to that of phong */
     double noise;     /* A/A */
 };
 
-static const struct world usual = {2.0, 2.0, 1.0, 1.8, {0.05, 0.8, 1.0}, 0.1, 10.0, 1.5, 0.7, 1.4, 0.02};
+static const struct world usual = {2.0, 2.0, 1.0, 1.8, {0.05, 0.8, 1.0}, 0.1, 3.0, 0.2, 0.7, 1.4, 0.02};
 
 static void metric(struct rl_record *r, const char *name, double value, double low, double high)
 {
@@ -99,13 +99,14 @@ static void add_error(struct rl_run *run, const char *object, const char *light,
 }
 
 static void add_line(struct rl_run *run, const char *object, const char *surface, const char *interpolation,
-                     double step, double bend)
+                     double step, double slope, double jump)
 {
     struct rl_record *r =
         rl_run_add(run, &alone, 1, NULL, "series=bands object=%s surface=%s interpolation=%s", object,
                    surface, interpolation);
     metric(r, "step", step, step, step);
-    metric(r, "bend", bend, bend, bend);
+    metric(r, "slope", slope, slope, slope);
+    metric(r, "jump", jump, jump, jump);
 }
 
 static void add_time(struct rl_run *run, int tessellation, const char *interpolation, const char *arm,
@@ -134,10 +135,10 @@ static void make(struct rl_run *run, const struct world *w)
                 add_error(run, objects[o], "side", t, modes[m],
                           off * w->scale[m] * pow(t, m == 1 ? -w->side : -power[m]));
             }
-        add_line(run, objects[o], "mesh", "constant", w->step, 100.0);
-        add_line(run, objects[o], "mesh", "gouraud", 0.0, w->bend_gouraud);
-        add_line(run, objects[o], "mesh", "phong", 0.0, w->bend_phong);
-        add_line(run, objects[o], "exact", "phong", 0.0, 1.0);
+        add_line(run, objects[o], "mesh", "constant", w->step, 0.0, 0.0);
+        add_line(run, objects[o], "mesh", "gouraud", 0.0, 3.0, w->jump_gouraud);
+        add_line(run, objects[o], "mesh", "phong", 0.0, 4.0, w->jump_phong);
+        add_line(run, objects[o], "exact", "phong", 0.0, 4.0, 0.01);
     }
     for (int t = 4; t <= 64; t *= 4) {
         add_time(run, t, "phong", "frame", 1.0, 0.0);
@@ -219,10 +220,10 @@ static void verdicts_flip(void **state)
          RL_VERDICT_HOLDS},
         {"steps from triangle to triangle by more than 1/255 (teapot)", offsetof(struct world, step), 0.001,
          RL_VERDICT_FAILS},
-        {"Gouraud shading makes Mach bands", offsetof(struct world, bend_gouraud), 10.0, RL_VERDICT_HOLDS},
-        {"Gouraud shading makes Mach bands", offsetof(struct world, bend_gouraud), 3.0, RL_VERDICT_FAILS},
-        {"Phong shading leaves no Mach bands", offsetof(struct world, bend_phong), 1.5, RL_VERDICT_HOLDS},
-        {"Phong shading leaves no Mach bands", offsetof(struct world, bend_phong), 3.0, RL_VERDICT_FAILS},
+        {"Gouraud shading makes Mach bands", offsetof(struct world, jump_gouraud), 3.0, RL_VERDICT_HOLDS},
+        {"Gouraud shading makes Mach bands", offsetof(struct world, jump_gouraud), 1.9, RL_VERDICT_FAILS},
+        {"Phong shading leaves no Mach bands", offsetof(struct world, jump_phong), 0.3, RL_VERDICT_HOLDS},
+        {"Phong shading leaves no Mach bands", offsetof(struct world, jump_phong), 0.5, RL_VERDICT_FAILS},
         {"Gouraud shading takes no longer than Phong shading (a frame of the sphere, the fewest",
          offsetof(struct world, few), 0.7, RL_VERDICT_HOLDS},
         {"Gouraud shading takes no longer than Phong shading (a frame of the sphere, the fewest",
@@ -240,7 +241,7 @@ static void verdicts_flip(void **state)
             fail_msg("'%s' at %g: %s, expected %s", rows[i].words, rows[i].value, rl_verdict_name(c.verdict),
                      rl_verdict_name(rows[i].verdict));
     }
-    check_near(judge(usual, "Gouraud shading makes Mach").value, 10.0, 1e-12);
+    check_near(judge(usual, "Gouraud shading makes Mach").value, 0.75, 1e-12);
     check_near(judge(usual, "a terminator in view").value, 0.2, 1e-9);
     assert_string_equal(judge(usual, "a terminator in view").command, "roughlight study run interpolation");
 }
@@ -343,14 +344,57 @@ static void errors_fall(void **state)
         check_relative(drawn, found, 0.2);
     }
     /* The surface itself is smooth; a constant jumps; Gouraud has corners. */
-    double own = figure(&run, "series=bands object=sphere surface=exact", "bend");
-    assert_true(figure(&run, "series=bands object=sphere surface=mesh interpolation=gouraud", "bend") >
-                3.0 * own);
+    double own = figure(&run, "series=bands object=sphere surface=exact", "slope");
+    assert_true(figure(&run, "series=bands object=sphere surface=exact", "jump") < 0.01 * own);
+    assert_true(figure(&run, "series=bands object=sphere surface=mesh interpolation=gouraud", "jump") >
+                0.5 * own);
     assert_true(figure(&run, "series=bands object=sphere surface=mesh interpolation=constant", "step") >
                 0.05);
     rl_run_clear(&run);
     rl_bench_close(&bench);
     temporary_remove(&folder);
+}
+
+/* Bands are of the mesh: pictures of any size give the same figures (but for the line, which is half a pixel below the middle) and verdicts. */
+static void bands_are_of_no_picture_size(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *surface, *interpolation;
+    } kinds[] = {{"mesh", "constant"}, {"mesh", "gouraud"}, {"mesh", "phong"}, {"exact", "phong"}};
+    static const char *const claims[] = {"half of the surface's own largest slope",
+                                         "a tenth of the surface's own largest slope"};
+    static const int width[] = {400, 800, 1600};
+    static const int mesh[] = {8, 6}, fine[] = {128, 64};
+    struct rl_bench bench = {0};
+    struct rl_error error;
+    for (int o = 0; o < 2; o++) {
+        struct rl_claim first[2];
+        for (int w = 0; w < 3; w++) {
+            struct rl_run run = {.study = "interpolation", .grid = "default"};
+            for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+                struct rl_record *r =
+                    rl_run_add(&run, &alone, 0, NULL,
+                               "series=bands object=%s light=eye exponent=20 surface=%s tessellation=%d "
+                               "interpolation=%s width=%d height=%d",
+                               objects[o], kinds[k].surface, k == 3 ? fine[o] : mesh[o],
+                               kinds[k].interpolation, width[w], width[w] * 3 / 4);
+                check_ok(rl_interpolation_measure_bands(r, &bench, &error), &error);
+                r->status = RL_RECORD_OK;
+            }
+            for (int c = 0; c < 2; c++) {
+                char words[96];
+                snprintf(words, sizeof words, "%s (%s)", claims[c], objects[o]);
+                struct rl_claim found = claim_of("interpolation", &run, words);
+                print_message("%d pixels: %s: %.4g, %s\n", width[w], words, found.value,
+                              rl_verdict_name(found.verdict));
+                first[c] = w == 0 ? found : first[c];
+                assert_int_equal(found.verdict, first[c].verdict);
+                check_relative(found.value, first[c].value, 0.03);
+            }
+            rl_run_clear(&run);
+        }
+    }
 }
 
 static void every_grid_has_what_claims_need(void **state)
@@ -376,9 +420,13 @@ static void every_grid_has_what_claims_need(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_found), cmocka_unit_test(rates_are_those_of_the_finest),
-        cmocka_unit_test(verdicts_flip),    cmocka_unit_test(nothing_measured),
-        cmocka_unit_test(errors_fall),      cmocka_unit_test(every_grid_has_what_claims_need),
+        cmocka_unit_test(points_are_found),
+        cmocka_unit_test(rates_are_those_of_the_finest),
+        cmocka_unit_test(verdicts_flip),
+        cmocka_unit_test(nothing_measured),
+        cmocka_unit_test(errors_fall),
+        cmocka_unit_test(bands_are_of_no_picture_size),
+        cmocka_unit_test(every_grid_has_what_claims_need),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
