@@ -107,14 +107,6 @@ static int plan_alone(struct rl_run *run, const struct rl_place *place, enum rl_
     return status == RL_OK ? plan_generators(run, place, g, &group, error) : status;
 }
 
-/* A normal map knows no scene. */
-static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
-                struct rl_error *error)
-{
-    (void)run, (void)place, (void)grid, (void)group, (void)error;
-    return RL_OK;
-}
-
 static int measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                    struct rl_error *error)
 {
@@ -244,7 +236,6 @@ const struct rl_study rl_study_distribution = {
     .n_tables = sizeof tables / sizeof tables[0],
     .figures_alone = figures,
     .n_figures_alone = sizeof figures / sizeof figures[0],
-    .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .costs = costs,

@@ -135,13 +135,6 @@ static int plan_alone(struct rl_run *run, const struct rl_place *place, enum rl_
     return ok ? RL_OK : RL_ERR_SYSTEM;
 }
 
-static int plan(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int group,
-                struct rl_error *error)
-{
-    (void)run, (void)place, (void)grid, (void)group, (void)error;
-    return RL_OK;
-}
-
 #define COLUMNS_OF_A_CASE                                                                                    \
     {"object", RL_COLUMN_TEXT, "object"}, {"light", RL_COLUMN_TEXT, "light"},                                \
         {"interpolation", RL_COLUMN_TEXT, "interpolation"},                                                  \
@@ -261,7 +254,6 @@ const struct rl_study rl_study_interpolation = {
     .n_derived_tables = sizeof derived_tables / sizeof derived_tables[0],
     .figures_alone = figures_alone,
     .n_figures_alone = sizeof figures_alone / sizeof figures_alone[0],
-    .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
     .costs = costs,

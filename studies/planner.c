@@ -147,6 +147,9 @@ static int check_scenes(const struct rl_planned *p, struct rl_error *error)
 
 static int plan(struct rl_planned *p, const struct rl_run_options *o, struct rl_error *error)
 {
+    if (o->n_scenes > 0 && !p->study->plan)
+        return rl_fail(error, RL_ERR_INPUT, "--scene: found '%.80s', but the study %s takes no scene",
+                       o->scenes[0], p->study->name);
     int status = p->study->plan_alone ? plan_alone(p, o->grid, error) : RL_OK;
     for (size_t i = 0; i < o->n_scenes && status == RL_OK; i++)
         status = plan_scene(p, o->scenes[i], o->grid, error);

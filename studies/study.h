@@ -65,7 +65,8 @@ struct rl_study {
     /* Whether a scene is one that it can run on, asked before anything is planned (RL_ERR_INPUT: why not); NULL: any with a shaped light and
      * a highlight in view (scene_check.h). */
     int (*fits)(const struct rl_scene *scene, struct rl_error *error);
-    /* Adds the cases of one scene to `run`. Groups are numbered from `first_group` on. */
+    /* Adds the cases of one scene to `run`. Groups are numbered from `first_group` on. NULL: it takes no scene, and being given one is
+     * an error; `scenes` is empty then, and there is plan_alone. */
     int (*plan)(struct rl_run *run, const struct rl_place *place, enum rl_grid grid, int first_group,
                 struct rl_error *error);
     /* The same for the cases that no scene enters into, planned before any scene's; NULL: there are none. */

@@ -97,7 +97,8 @@ check "a case made by hand has the same figures" "$tmp/samples.tsv" '
 
 # ---- Titles say what was measured ------------------------------------------------------------------------------
 
-"$rl" study run frame environment distribution samples --quick --scene sphere-quad --axis rr=200 --db "$tmp/200.db" 2>"$tmp/err" || cat "$tmp/err"
+"$rl" study run frame environment samples --quick --scene sphere-quad --axis rr=200 --db "$tmp/200.db" 2>"$tmp/err" || cat "$tmp/err"
+"$rl" study run distribution --quick --axis rr=200 --db "$tmp/200.db" 2>"$tmp/err" || cat "$tmp/err"
 "$rl" study export --db "$tmp/200.db" -o "$tmp/200" >/dev/null 2>"$tmp/err" || cat "$tmp/err"
 for study in frame distribution samples; do # as the report gives them to its plots
     awk -F '\t' -v study=$study 'NR == 1 || $1 == study' "$tmp/200/frame_times.tsv" >"$tmp/200/${study}_raw.tsv"

@@ -40,6 +40,15 @@ refused "an unknown study" "no study 'sample'" study run sample --db "$db"
 refused "two grids" "found both, expected one of them" study run fps --quick --full --db "$db"
 refused "an unknown scene" "no-such-scene" study run fps --quick --scene no-such-scene --db "$tmp/x.db"
 refused "one scene twice" "was given before" study run fps --quick --scene sphere-quad --scene sphere-quad --db "$tmp/x.db"
+# Scenes that do not fit, do not exist, or would: none of them is looked at.
+for study in distribution interpolation; do
+    for scene in glass lamps teapot-star no-such-scene; do
+        refused "$study: a scene" "--scene: found '$scene', but the study $study takes no scene" \
+            study run $study --quick --scene $scene --db "$tmp/x.db"
+    done
+done
+refused "a scene for a study that takes none, beside one that does" "'sphere-quad', but the study distribution takes no scene" \
+    study run fps distribution --quick --scene sphere-quad --dry-run --db "$tmp/x.db"
 refused "a database that is not there" "No such file" study status --db "$tmp/nowhere.db"
 refused "a database in no writable place" "/proc/" study run fps --quick --db /proc/results.db
 echo "not a database, but long enough to be taken for one ............................................" >"$tmp/text.db"
