@@ -79,20 +79,21 @@ static int add(struct rl_record *r, const char *name, double x, struct rl_error 
     return rl_record_metric_add(r, name, x, x, x, "1", error);
 }
 
-/* What the plan's frame does, and what there is for it. */
-static int add_work(struct rl_record *r, const struct rl_bench_scene *set, struct rl_error *error)
+int rl_bare_add_work(struct rl_record *r, struct rl_gpu_scene *gs, struct rl_error *error)
 {
-    struct rl_gpu_counters before = rl_gpu_scene_counters(set->gpu_scene);
+    struct rl_gpu_counters before = rl_gpu_scene_counters(gs);
     double seconds;
-    int status = rl_gpu_scene_frame(set->gpu_scene, &seconds, error);
-    struct rl_gpu_counters after = rl_gpu_scene_counters(set->gpu_scene);
+    int depth_bits, stencil_bits;
+    int status = rl_gpu_scene_frame(gs, &seconds, error);
+    struct rl_gpu_counters after = rl_gpu_scene_counters(gs);
+    rl_gpu_scene_depth(gs, &depth_bits, &stencil_bits);
     if (status == RL_OK)
         status = add(r, "draws", (double)(after.draws - before.draws), error);
     if (status == RL_OK)
         status = add(r, "programs", (double)after.programs, error);
     if (status == RL_OK)
         status = add(r, "textures", (double)after.textures, error);
-    return status == RL_OK ? add(r, "stencil", set->plan.stencil, error) : status;
+    return status == RL_OK ? add(r, "stencil", stencil_bits > 0, error) : status;
 }
 
 /* The largest difference from the first arm's picture. */
@@ -122,7 +123,9 @@ static int measure(struct rl_record *records, struct arm *arm, size_t n, struct 
                                             .most_frames = 2 * rounds,
                                             .most_seconds = 0.02 * rounds,
                                             .against = "arm=uniforms",
-                                            .ratio = "time_to_uniforms"};
+                                            .ratio = "time_to_uniforms",
+                                            .against2 = "arm=literals",
+                                            .ratio2 = "time_to_literals"};
     struct rl_timing_arm timed[ARMS_MAX];
     int status = RL_OK;
     for (size_t i = 0; i < n && status == RL_OK; i++) {
@@ -131,7 +134,7 @@ static int measure(struct rl_record *records, struct arm *arm, size_t n, struct 
                               : (struct rl_timing_arm){records[i].parameters, rl_bare_frame, arm[i].bare};
     }
     if (status == RL_OK && arm[0].set)
-        status = add_work(&records[0], arm[0].set, error);
+        status = rl_bare_add_work(&records[0], arm[0].set->gpu_scene, error);
     if (status == RL_OK)
         status = add_pictures(records, arm, n, bench, error);
     return status == RL_OK ? rl_arms_time(records, timed, n, bench, &options, error) : status;
@@ -252,6 +255,31 @@ static int claim_literals(const struct rl_judging *j, double width)
     return RL_OK;
 }
 
+/* A plan's shaders are for any scene of these effects. What they would gain if they were for this one alone is what is above 1 here. */
+static int claim_baked(const struct rl_judging *j, double width)
+{
+    char text[64], words[200];
+    snprintf(
+        words, sizeof words,
+        "ours: what baking a scene's constants into the shader would gain is little: by its plan it takes "
+        "at most %g times the bare program that has them as literals",
+        RL_BARE_BOUND);
+    struct rl_claim *c = rl_judging_claim(j, words);
+    if (!c)
+        return RL_ERR_SYSTEM;
+    c->figure = "ratio";
+    const struct rl_metric *ratio = rl_judging_metric(j, of(text, "plan", width), "time_to_literals");
+    double noise = noise_at(j, width);
+    c->verdict = rl_arms_at_most(ratio, noise, RL_BARE_BOUND);
+    if (!ratio)
+        return RL_OK;
+    rl_claim_value(c, ratio->value, ratio->low, ratio->high, "times");
+    snprintf(c->note, sizeof c->note, "a gain of %.2g %% of the frame, between %.2g and %.2g %%",
+             100.0 * (1.0 - 1.0 / ratio->value), 100.0 * (1.0 - 1.0 / ratio->low),
+             100.0 * (1.0 - 1.0 / ratio->high));
+    return RL_OK;
+}
+
 static int judge(const struct rl_judging *j)
 {
     double width[RL_AXIS_MAX];
@@ -262,6 +290,8 @@ static int judge(const struct rl_judging *j)
         status = claim_work(j, widest);
     if (status == RL_OK)
         status = claim_pictures(j, widest);
+    if (status == RL_OK)
+        status = claim_baked(j, widest);
     return status == RL_OK ? claim_literals(j, widest) : status;
 }
 

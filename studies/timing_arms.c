@@ -37,7 +37,8 @@ static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, dou
 static int add_figures(struct rl_record *records, size_t n, const struct rl_timing *t,
                        const struct rl_arms_options *options, double precision, struct rl_error *error)
 {
-    size_t baseline = find(records, n, options->baseline), against = find(records, n, options->against);
+    size_t baseline = find(records, n, options->baseline), against = find(records, n, options->against),
+           against2 = find(records, n, options->against2);
     int status = RL_OK;
     for (size_t i = 0; i < n && status == RL_OK; i++) {
         status = add_own(&records[i], t, i, precision, error);
@@ -49,6 +50,10 @@ static int add_figures(struct rl_record *records, size_t n, const struct rl_timi
             status =
                 rl_record_add(&records[i], options->ratio,
                               rl_ratio_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "1", error);
+        if (status == RL_OK && against2 < n)
+            status =
+                rl_record_add(&records[i], options->ratio2,
+                              rl_ratio_interval(t->ms[i], t->ms[against2], t->n_rounds, 0.95), "1", error);
         if (status == RL_OK && against < n && options->difference)
             status = rl_record_add(&records[i], options->difference,
                                    rl_difference_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "ms",

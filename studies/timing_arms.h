@@ -22,7 +22,8 @@ struct rl_arms_options {
     const char *baseline;    /* parameters of the arm that is subtracted; NULL: none is */
     const char *against;     /* parameters of the arm that times are relative to; NULL: to none */
     const char *ratio;       /* with `against`: the metric's name, "time_to_..." */
-    const char *difference;  /* the same, "above_..._ms"; NULL: not wanted */
+    const char *against2, *ratio2; /* the same of another arm */
+    const char *difference;        /* as `ratio`, "above_..._ms"; NULL: not wanted */
 };
 
 /* For rl_timing_arm.frame: a frame of the struct rl_bench_scene that is its `user`. */
