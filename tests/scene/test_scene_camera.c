@@ -107,6 +107,7 @@ static void test_planes_of_what_is_seen(void **state)
         ", {shape: sphere, material: m, translate: [4.2, 1.5, 4]}",
         ", {shape: sphere, material: m, translate: [0, 5, 4.5]}",
         ", {shape: sphere, material: m, translate: [-90000, 0, -90000]}",
+        ", {shape: sphere, material: m, scale: 12, translate: [0, 0, 20]}", /* not clear of the sides */
     };
     struct rl_scene s;
     char text[512];
@@ -122,9 +123,11 @@ static void test_planes_of_what_is_seen(void **state)
         }
         check_near(s.camera.near_plane, near, 0.0);
         check_near(s.camera.far_plane, far, 0.0);
-        /* A film so wide that it shows the ball beside the eye. */
+        /* A film so wide that it shows the ball beside the eye, and the one that is far out. */
         rl_scene_fit_planes(&s, 2400, 240);
-        assert_true(i == 2 ? s.camera.near_plane < 1.0 : s.camera.near_plane == near);
+        assert_true((s.camera.near_plane < 1.0) == (i == 2));
+        assert_true((s.camera.far_plane > 8e4) == (i == 4));
+        assert_true(i == 2 || i == 4 || (s.camera.near_plane == near && s.camera.far_plane == far));
         rl_scene_fit_planes(&s, s.width, s.height);
         check_near(s.camera.near_plane, near, 0.0);
         rl_scene_clear(&s);
