@@ -81,6 +81,7 @@ static void move_light(struct rl_light *light, rl_vec3 centre, double away, cons
         p->normal = turned(t, p->normal);
         p->area *= away * away;
     }
+    light->normal = turned(t, light->normal);
     light->centroid = turned(t, v3_madd(centre, away, v3_sub(light->centroid, centre)));
     light->centre = turned(t, v3_madd(centre, away, v3_sub(light->centre, centre)));
     light->radius *= away;

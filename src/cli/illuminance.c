@@ -27,7 +27,7 @@ static void row(struct rl_rows *rows, const char *light, const char *kind, const
 static const char *kind_of(const struct rl_scene *scene, size_t i)
 {
     if (i < scene->n_lights)
-        return scene->light[i].n_polygons == 1 ? "polygon" : "mesh";
+        return scene->light[i].mesh ? "mesh" : "polygon";
     return scene->source[i - scene->n_lights].parallel ? "parallel" : "point";
 }
 
@@ -49,22 +49,17 @@ static void print(const struct rl_scene *scene, double rgb[][3], enum rl_output 
     rl_rows_end(&rows);
 }
 
-/* What effects make of a mesh is right where a ray that meets it meets two of its faces (struct rl_area_light). */
-static int warn_of_open_meshes(const struct rl_scene *scene, struct rl_error *error)
+/* Exact of closed, convex meshes and of flat ones; of an open one that bends, where none of its triangles hides another. */
+static void warn_of_bent_sheets(const struct rl_scene *scene)
 {
-    int status = RL_OK;
-    for (size_t i = 0; i < scene->n_lights && status == RL_OK; i++) {
-        bool closed = true;
-        if (scene->light[i].n_polygons > 1)
-            status = rl_light_closed(&closed, &scene->light[i], error);
-        if (!closed)
+    for (size_t i = 0; i < scene->n_lights; i++) {
+        const struct rl_light *light = &scene->light[i];
+        if (light->mesh && !light->closed && !(v3_length(light->normal) > 0.0))
             fprintf(stderr,
-                    "illuminance: warning: the light %s is an open mesh, of which every triangle counts "
-                    "half, as of "
-                    "a closed one; a flat one gives twice as much\n",
-                    scene->light[i].name);
+                    "illuminance: warning: the light %s is an open mesh that is not flat, of which every "
+                    "triangle counts in full, also where another hides it\n",
+                    light->name);
     }
-    return status;
 }
 
 static int measure(const struct rl_scene *scene, rl_vec3 P, rl_vec3 N, enum rl_output format,
@@ -76,10 +71,10 @@ static int measure(const struct rl_scene *scene, rl_vec3 P, rl_vec3 N, enum rl_o
     int status = rl_scene_irradiance(rgb, scene, P, N, error);
     if (status == RL_ERR_INPUT)
         rl_fail_prefix(error, "--at");
-    if (status == RL_OK)
-        status = warn_of_open_meshes(scene, error);
-    if (status == RL_OK)
+    if (status == RL_OK) {
+        warn_of_bent_sheets(scene);
         print(scene, rgb, format);
+    }
     free(rgb);
     return status;
 }
@@ -129,9 +124,10 @@ const struct rl_command rl_command_illuminance = {
         "Polygons are exact, by Lambert's sum over their edges, and what of them is below the surface's "
         "horizon "
         "does not count.\n"
-        "A polygon shines from both sides. Closed, convex meshes are exact, too; of others every triangle "
-        "counts "
-        "half all the same.\n"
+        "A polygon shines from both sides. Closed, convex meshes and flat ones are exact, too. Of other "
+        "closed "
+        "ones every\n"
+        "triangle counts half, of other open ones in full, also where the mesh hides it.\n"
         "There are no shadows, and nothing is reflected: this is the direct light of an empty room, and the "
         "scene's objects do not\n"
         "matter.\n\n"

@@ -14,7 +14,7 @@
  * P on an edge's line has no gamma there and the angle 0 or pi: such edges give 0. P in the polygon's plane receives nothing from a polygon
  * that it is not in; of one that it is in, it gets what is seen from one of its sides.
  *
- * Polygons of a mesh light count half: a ray into a closed, convex body meets two of its faces (src/scene/seen_lights.c). */
+ * Polygons of a closed mesh count half: a ray into a convex body meets two of its faces (src/scene/seen_lights.c). */
 #include "effects/lambert.h"
 
 /* The angle about N from a to b, both on the horizon. */

@@ -42,7 +42,7 @@ struct rl_surface {
  * radiance x area / r^2 x cosine; lights shine from both sides, so the cosine enters as |cos|. */
 struct rl_point_light {
     rl_vec3 position;
-    rl_vec3 normal; /* unit; zero for a light of many faces: no cosine at the light */
+    rl_vec3 normal; /* unit; zero for a light that is not flat: no cosine at the light */
     double area;
     double radiance[3];
 };
@@ -61,7 +61,7 @@ struct rl_area_light {
     const rl_vec3 *vertex; /* the scene's */
     int n;
     double radiance
-        [3]; /* of a mesh's polygons half the mesh's: a ray into a closed, convex body meets two of its faces */
+        [3]; /* of a closed mesh's polygons half the mesh's: a ray into a convex body meets two of its faces */
 };
 
 /* The lights of a scene as effects see them; see rl_scene_lights_make. */

@@ -10,7 +10,7 @@
 
 /* The irradiance of a surface at P with the unit normal N by each light, W/m^2; in a photometric scene illuminance in lx (of RGB with the
  * luminance as its weight, so that rl_luminance of it is the illuminance). Exact of polygons (Lambert's edge sum, cut at the horizon; effect
- * diffuse-area) and of closed, convex meshes. RL_ERR_INPUT: a point light at P, where its irradiance has no bound. */
+ * diffuse-area), of closed, convex meshes, and of open ones where no triangle hides another from P, as none of a flat one does. RL_ERR_INPUT: a point light at P, where its irradiance has no bound. */
 int rl_scene_irradiance(double rgb[][3], const struct rl_scene *scene, rl_vec3 P, rl_vec3 N,
                         struct rl_error *error);
 

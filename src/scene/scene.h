@@ -43,7 +43,11 @@ struct rl_light {
     rl_vec3 centroid;   /* by area */
     rl_vec3 centre;     /* of the bounding sphere */
     double radius;      /* of the bounding sphere */
-    double area; /* one side; a mesh's: a quarter of its surface, a convex body's mean silhouette (Cauchy) */
+    /* Of a flat one: of one side. Else what it shows on average over all directions (Cauchy): a quarter of a closed mesh's surface, half of
+     * an open one's. */
+    double area;
+    bool mesh, closed; /* of a polygon, too: false */
+    rl_vec3 normal;    /* of a flat mesh, unit; else 0 */
 };
 
 /* A light without shape is a struct rl_source (effects/effect.h). */

@@ -6,6 +6,11 @@
 
 #include "scene/scene_build.h"
 
+/* What a flat mesh may be out of its plane: a part of its radius, as polygons may, and of where it is, for its vertices are in single
+ * precision. */
+#define FLAT 1e-6
+#define ROUNDED 2.4e-7
+
 static int build_polygon(const struct rl_scene_builder *b, struct rl_light *light,
                          const struct rl_raw_light *raw, const struct rl_placement *placement,
                          const char *key)
@@ -91,7 +96,42 @@ static void measure(struct rl_light *light)
         }
     }
     light->centroid = v3_scale(1.0 / area, moment);
-    light->area = light->n_polygons == 1 ? light->polygon[0].area : 0.25 * area;
+    light->area = light->n_polygons == 1 ? light->polygon[0].area : area;
+}
+
+/* Whether every corner of a mesh is in one plane, and the plane's normal. Which way round triangles are listed does not matter, since they
+ * shine from both sides: each is turned to agree with those before it. */
+static bool is_flat(const struct rl_light *light, rl_vec3 *normal)
+{
+    rl_vec3 sum = v3(0.0, 0.0, 0.0);
+    for (size_t i = 0; i < light->n_polygons; i++) {
+        const struct rl_polygon *p = &light->polygon[i];
+        sum = v3_madd(sum, v3_dot(sum, p->normal) < 0.0 ? -p->area : p->area, p->normal);
+    }
+    *normal = v3_normalize(sum);
+    const double most = FLAT * light->radius + ROUNDED * v3_length(light->centroid);
+    for (size_t i = 0; i < light->n_polygons; i++)
+        for (int k = 0; k < light->polygon[i].n; k++)
+            if (fabs(v3_dot(*normal, v3_sub(light->polygon[i].vertex[k], light->centroid))) > most)
+                return false;
+    return true;
+}
+
+/* A closed mesh as a point: what a convex body shows on average. A flat one as a polygon of its outline. One that is neither shows, where it
+ * does not hide itself, each triangle's area times the cosine of its own: half of the sum, on average over all directions. */
+static int take_as_point(struct rl_light *light, struct rl_error *error)
+{
+    rl_vec3 normal;
+    int status = rl_light_closed(&light->closed, light, error);
+    if (status != RL_OK)
+        return status;
+    if (light->closed)
+        light->area *= 0.25;
+    else if (is_flat(light, &normal))
+        light->normal = normal;
+    else
+        light->area *= 0.5;
+    return RL_OK;
 }
 
 static rl_vec3 farthest(const struct rl_light *light, rl_vec3 from, double *distance)
@@ -152,6 +192,11 @@ static int build_shaped(const struct rl_scene_builder *b, size_t i, struct rl_li
         return status;
     measure(light);
     enclose(light);
+    light->mesh = raw->mesh;
+    if (light->mesh)
+        status = take_as_point(light, b->error);
+    if (status != RL_OK)
+        return status;
     return rl_build_extent(b, key, light->centre, light->radius);
 }
 

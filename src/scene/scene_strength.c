@@ -152,7 +152,6 @@ static int divisor(const struct rl_scene_builder *b, const char *key, int quanti
                    const struct rl_light *light, double *by)
 {
     char path[RL_YAML_KEY_MAX];
-    bool closed = true;
     *by = 1.0;
     if (quantity == LUMINOUS_INTENSITY && light)
         *by = light->area;
@@ -167,13 +166,12 @@ static int divisor(const struct rl_scene_builder *b, const char *key, int quanti
     if (kind != RL_LIGHT_MESH)
         return RL_OK;
     *by = rl_flux_of_body(4.0 * light->area); /* which is a quarter of its surface */
-    int status = rl_light_closed(&closed, light, b->error);
     rl_yaml_key(path, key, quantities[quantity].key);
-    if (status == RL_OK && !closed)
+    if (!light->closed)
         return rl_yaml_fail(b->tree, b->error, path,
                             "found it with an open mesh, which shines from both sides, expected a closed "
                             "one (each edge on two triangles), or luminance");
-    return status;
+    return RL_OK;
 }
 
 int rl_build_strength(const struct rl_scene_builder *b, size_t i, enum rl_light_kind kind,

@@ -7,15 +7,16 @@ struct rl_point_light rl_light_as_point(const struct rl_light *light)
 {
     return (struct rl_point_light){
         .position = light->centroid,
-        .normal = light->n_polygons == 1 ? light->polygon[0].normal : v3(0.0, 0.0, 0.0),
+        .normal = light->n_polygons == 1 ? light->polygon[0].normal : light->normal,
         .area = light->area,
         .radiance = {light->radiance[0], light->radiance[1], light->radiance[2]},
     };
 }
 
+/* A ray into a closed, convex body meets two of its faces, one into a sheet that hides nothing of itself one. */
 static void add_areas(struct rl_lights *lights, const struct rl_light *light)
 {
-    double share = light->n_polygons == 1 ? 1.0 : 0.5;
+    double share = light->closed ? 0.5 : 1.0;
     for (size_t i = 0; i < light->n_polygons; i++) {
         struct rl_area_light *area = &lights->area[lights->n_areas++];
         area->vertex = light->polygon[i].vertex;

@@ -134,13 +134,21 @@ check "illuminance: lights and their sum in lx" sums_up
 check "illuminance prints JSON" sh -c "'$rl' illuminance $office --at 0,0.75,0 --normal 0,1,0 --format json | tr -d '\n ' |
     grep -Eq '^\[(\{\"light\":\"[a-z-]+\",\"kind\":\"[a-z]+\",\"red\":[0-9.]+,\"green\":[0-9.]+,\"blue\":[0-9.]+,\"value\":[0-9.]+,\"unit\":\"lx\"\},?){5}\]$'"
 check "a radiometric scene: irradiance" sh -c "'$rl' illuminance $scene --at 0,0,0 --normal 0,1,0 | tail -1 | grep -q 'W/m2$'"
-open_mesh() {
+open_meshes() {
+    polygon='\[\[-1, 2, -1\], \[1, 2, -1\], \[1, 2, 1\], \[-1, 2, 1\]\]'
     printf 'v -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\nf 1 2 3 4\n' >"$tmp/sheet.obj"
-    sed 's/polygon: .*/mesh: sheet.obj/' studies/scenes/window.yaml >"$tmp/sheet.yaml"
-    "$rl" illuminance "$tmp/sheet.yaml" --at 0,0,0 --normal 0,1,0 2>"$tmp/err" >"$tmp/rows" &&
-        [ "$(wc -l <"$tmp/rows")" -eq 4 ] && grep -q "warning: the light .* is an open mesh" "$tmp/err"
+    printf 'v -1 2 -1\nv 1 2 -1\nv 1 2 1\nf 1 2 3\n' >"$tmp/one.obj"
+    printf 'v -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 3 1\nf 1 2 3\nf 1 3 4\n' >"$tmp/bent.obj"
+    sed "s/polygon: .*/polygon: $polygon/" studies/scenes/window.yaml >"$tmp/polygon.yaml"
+    for of in polygon sheet one bent; do
+        [ $of = polygon ] || sed "s/polygon: .*/mesh: $of.obj/" studies/scenes/window.yaml >"$tmp/$of.yaml"
+        "$rl" illuminance "$tmp/$of.yaml" --at 0,0,0 --normal 0,1,0 2>"$tmp/$of.err" >"$tmp/$of.rows" || return 1
+    done
+    sed 's/\tpolygon\t/\tmesh\t/' "$tmp/polygon.rows" | cmp - "$tmp/sheet.rows" && ! cmp -s "$tmp/polygon.rows" "$tmp/sheet.rows" &&
+        grep -q '	mesh	' "$tmp/one.rows" && [ ! -s "$tmp/sheet.err" ] && [ ! -s "$tmp/one.err" ] &&
+        grep -q "warning: the light .* is an open mesh that is not flat" "$tmp/bent.err"
 }
-check "an open mesh: rows, and a warning" open_mesh
+check "open meshes: as their polygon, and a warning where they bend" open_meshes
 whites() {
     sed 's/white: 200/white: 100/' $office >"$tmp/white.yaml"
     "$rl" render $office --size 64x48 -o "$tmp/200.exr" && "$rl" render "$tmp/white.yaml" --size 64x48 -o "$tmp/100.exr" &&

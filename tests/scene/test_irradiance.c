@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -217,6 +218,85 @@ static void test_all_round(void **state)
     rl_scene_clear(&scene);
 }
 
+/* ---- Sheets ---- */
+
+static void put_sheet(const char *name, const char *text)
+{
+    char file[PATH_MAX];
+    temporary_path(&folder, file, name);
+    put_file(file, text, strlen(text));
+}
+
+/* What the light gives as a point, the effects' sum for an irradiance of 1 left out. */
+static double as_point(const struct rl_scene *scene, rl_vec3 P)
+{
+    struct rl_incident incident;
+    struct rl_point_light point = rl_light_as_point(&scene->light[0]);
+    assert_true(rl_incident_from_centroid(&incident, &point, P));
+    return incident.irradiance[0];
+}
+
+/* An open flat mesh is its outline's polygon, to every effect, however its triangles are wound: the same area, normal and radiance. */
+static void test_flat_sheets(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *mesh, *polygon, *placement;
+    } rows[] = {
+        {"v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3\nf 1 3 4\n",
+         "[[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]]", "translate: [0, 2, 0]"},
+        {"v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3\nf 1 4 3\n",
+         "[[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]]",
+         "scale: 0.3, rotate: [20, 30, 40], translate: [0.5, 2, 0.25]"},
+        {"v -1 0 -1\nv 1 0 -1\nv 1 0 1\nf 1 2 3\n", "[[-1, 0, -1], [1, 0, -1], [1, 0, 1]]",
+         "translate: [0, 2, 0]"},
+        {"v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3\nf 1 3 4\n",
+         "[[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]]",
+         "scale: 0.01, rotate: [20, 30, 40], translate: [40, 30, 20]"},
+    };
+    static const rl_vec3 at[] = {{0, 0, 0}, {3, -1, 2}, {0.5, 5, 0.7}, {-8, 1.9, 0}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct rl_scene mesh, polygon;
+        char text[512];
+        put_sheet("sheet.obj", rows[i].mesh);
+        snprintf(text, sizeof text, "lights: [{mesh: sheet.obj, radiance: [1, 1, 1], %s}]",
+                 rows[i].placement);
+        load_lights(&mesh, text);
+        snprintf(text, sizeof text, "lights: [{polygon: %s, radiance: [1, 1, 1], %s}]", rows[i].polygon,
+                 rows[i].placement);
+        load_lights(&polygon, text);
+        check_relative(mesh.light[0].area, polygon.light[0].area, 1e-3);
+        for (size_t k = 0; k < sizeof at / sizeof at[0]; k++)
+            for (double side = -1.0; side <= 1.0; side += 2.0) {
+                /* Of the last one vertices are rounded to 4e-4 of its size. */
+                double room = i == 3 ? 2e-3 : 2e-6, E = illuminance(&polygon, at[k], v3(0.1, side, 0.2));
+                check_near(illuminance(&mesh, at[k], v3(0.1, side, 0.2)), E, room * E + 1e-9);
+                check_relative(as_point(&mesh, at[k]), as_point(&polygon, at[k]), room);
+            }
+        rl_scene_clear(&mesh);
+        rl_scene_clear(&polygon);
+    }
+}
+
+/* One that bends counts in full where it hides nothing of itself; as a point it has no normal and half of its area, its mean silhouette. */
+static void test_bent_sheet(void **state)
+{
+    (void)state;
+    struct rl_scene bent, sides;
+    put_sheet("bent.obj",
+              "v -1 2 0\nv 1 2 0\nv 1 3 1\nv -1 3 1\nv 1 3 -1\nv -1 3 -1\nf 1 2 3 4\nf 1 2 5 6\n");
+    load_lights(&bent, "lights: [{mesh: bent.obj, luminance: 1000}]");
+    load_lights(&sides, "lights:\n"
+                        "  - {luminance: 1000, polygon: [[-1, 2, 0], [1, 2, 0], [1, 3, 1], [-1, 3, 1]]}\n"
+                        "  - {luminance: 1000, polygon: [[-1, 2, 0], [1, 2, 0], [1, 3, -1], [-1, 3, -1]]}");
+    check_relative(illuminance(&bent, v3(0, 0, 0), up), illuminance(&sides, v3(0, 0, 0), up), 1e-12);
+    struct rl_point_light point = rl_light_as_point(&bent.light[0]);
+    check_vec3(point.normal, 0.0, 0.0, 0.0, 0.0);
+    check_relative(point.area, 2.0 * sqrt(2.0), 1e-12);
+    rl_scene_clear(&bent);
+    rl_scene_clear(&sides);
+}
+
 /* ---- Flux ---- */
 
 /* What arrives on the inside of a sphere about the origin, by Gauss's rule in rings (of 2 points in each) and evenly around. */
@@ -279,8 +359,10 @@ static void test_flux(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points), cmocka_unit_test(test_radiometric), cmocka_unit_test(test_panels),
-        cmocka_unit_test(test_discs),  cmocka_unit_test(test_sphere),      cmocka_unit_test(test_all_round),
+        cmocka_unit_test(test_points),      cmocka_unit_test(test_radiometric),
+        cmocka_unit_test(test_panels),      cmocka_unit_test(test_discs),
+        cmocka_unit_test(test_sphere),      cmocka_unit_test(test_all_round),
+        cmocka_unit_test(test_flat_sheets), cmocka_unit_test(test_bent_sheet),
         cmocka_unit_test(test_flux),
     };
     print_message("seed %llu\n", (unsigned long long)seed);
