@@ -125,13 +125,20 @@ static void visibility_rows(struct rl_rows *rows, const struct rl_scene *scene, 
             back += rl_mesh_back_faces(&scene->object[i].mesh, scene->camera.position);
         }
     if (!plan->on_cpu) {
-        snprintf(detail, sizeof detail, "%d bits%s, from %g at %g to %g at %g", s->depth_bits,
-                 s->depth_bits == 32 ? ", float" : "", s->reversed_depth ? 1.0 : 0.0,
+        snprintf(detail, sizeof detail, "%dx%d rgba32f", s->width, s->height);
+        row(rows, "buffer", "colour", detail);
+        snprintf(detail, sizeof detail, "%d bits%s, %dx%d, from %g at %g to %g at %g", s->depth_bits,
+                 s->depth_bits == 32 ? ", float" : "", s->width, s->height, s->reversed_depth ? 1.0 : 0.0,
                  scene->camera.near_plane, s->reversed_depth ? 0.0 : 1.0, scene->camera.far_plane);
         row(rows, "buffer", "depth", detail);
     }
     if (plan->stencil)
-        row(rows, "buffer", "stencil", "8 bits, for the passes after the surface's");
+        row(rows, "buffer", "stencil", "8 bits, beside the depth, for the passes after the surface's");
+    if (!plan->on_cpu && plan->n_environments > 0) {
+        snprintf(detail, sizeof detail, "32 bits, float, %dx%d, one for all faces of all maps", s->env_size,
+                 s->env_size);
+        row(rows, "buffer", "environment depth", detail);
+    }
     snprintf(detail, sizeof detail, "%zu of %zu triangles are back faces", back, all);
     if (s->culling)
         row(rows, "culling", "back faces", detail);

@@ -51,9 +51,8 @@ int rl_environments_make(struct rl_gpu_scene *gs, struct rl_error *error)
         gs->counters.textures++;
     }
     gl->GenFramebuffers(1, &gs->environment_framebuffer);
-    gl->GenRenderbuffers(1, &gs->environment_depth);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->environment_depth);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size, size);
+    rl_gl_renderbuffer(&gs->environment_depth, gl, GL_DEPTH_COMPONENT32F, size, size,
+                       &gs->counters.renderbuffers);
     return rl_gl_check(gl, "the environment maps' depth buffer", error);
 }
 

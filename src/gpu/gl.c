@@ -41,6 +41,15 @@ int rl_gl_load(struct rl_gl *gl, const struct rl_gpu_backend *backend, void *sta
     return rl_gl_check(gl, "setting up OpenGL", error);
 }
 
+void rl_gl_renderbuffer(GLuint *buffer, const struct rl_gl *gl, GLenum format, int width, int height,
+                        size_t *count)
+{
+    gl->GenRenderbuffers(1, buffer);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, *buffer);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    *count += 1;
+}
+
 static const char *error_name(GLenum code)
 {
     switch (code) {

@@ -10,6 +10,8 @@
 #ifndef RL_GPU_GL_H
 #define RL_GPU_GL_H
 
+#include <stddef.h>
+
 #include <GL/glcorearb.h>
 
 #include "base/error.h"
@@ -105,6 +107,10 @@ struct rl_gl {
 /* Fills the table from a backend whose context is current. RL_ERR_UNAVAILABLE if it is older than OpenGL 4.5.
  */
 int rl_gl_load(struct rl_gl *gl, const struct rl_gpu_backend *backend, void *state, struct rl_error *error);
+
+/* Makes a render buffer and adds one to *count. */
+void rl_gl_renderbuffer(GLuint *buffer, const struct rl_gl *gl, GLenum format, int width, int height,
+                        size_t *count);
 
 /* RL_ERR_SYSTEM, with `what` was being done and GL's error, if any call since the last check went wrong. */
 int rl_gl_check(struct rl_gl *gl, const char *what, struct rl_error *error);

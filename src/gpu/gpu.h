@@ -49,6 +49,7 @@ struct rl_gpu_counters {
     size_t programs, modules, textures; /* in use; modules: of all programs, each as often as it is in one */
     size_t programs_kept,
         textures_kept; /* of these, those that the context had from before and took no time or upload */
+    size_t renderbuffers; /* allocated: colour and depth of the picture, and the depth of environment maps */
     size_t bytes_uploaded, bytes_kept; /* the latter: those of kept textures, which were uploaded before */
 };
 

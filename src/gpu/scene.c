@@ -35,12 +35,9 @@ static int make_framebuffer(struct rl_gpu_scene *gs, struct rl_error *error)
     char what[64];
     snprintf(what, sizeof what, "an image of %d x %d pixels", gs->width, gs->height);
     gl->GenFramebuffers(1, &gs->framebuffer);
-    gl->GenRenderbuffers(1, &gs->colour);
-    gl->GenRenderbuffers(1, &gs->depth);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->colour);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, gs->width, gs->height);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, gs->depth);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, depth_format(gs->plan), gs->width, gs->height);
+    size_t *count = &gs->counters.renderbuffers;
+    rl_gl_renderbuffer(&gs->colour, gl, GL_RGBA32F, gs->width, gs->height, count);
+    rl_gl_renderbuffer(&gs->depth, gl, depth_format(gs->plan), gs->width, gs->height, count);
     int status = rl_gl_check(gl, what, error);
     if (status != RL_OK)
         return status;

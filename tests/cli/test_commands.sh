@@ -170,6 +170,12 @@ check "plan shows shadows" sh -c "'$rl' plan $ball | grep -q '^effect.shadows'"
 check "plan shows depth, stencil and back faces" sh -c "'$rl' plan $scene >'$tmp/plan.tsv' && grep -q '^buffer.depth.24 bits' '$tmp/plan.tsv' &&
     grep -q '^buffer.stencil' '$tmp/plan.tsv' && grep -q '^culling.back faces' '$tmp/plan.tsv'"
 check "no stencil with point lights alone" sh -c "! '$rl' plan studies/scenes/lamps.yaml | grep -q stencil"
+check "plan lists render buffers by size and format" sh -c "'$rl' plan $scene --size 64x48 --env-size 32 >'$tmp/plan.tsv' &&
+    grep -q '^buffer.colour.64x48 rgba32f' '$tmp/plan.tsv' && grep -q '^buffer.depth.24 bits, 64x48' '$tmp/plan.tsv' &&
+    grep -q '^buffer.environment depth.32 bits, float, 32x32' '$tmp/plan.tsv'"
+check "none of environment maps where there is no map" sh -c "'$rl' plan studies/scenes/lamps.yaml >'$tmp/plan.tsv' &&
+    grep -q '^buffer.colour' '$tmp/plan.tsv' && ! grep -q 'environment' '$tmp/plan.tsv'"
+check "no render buffer on the CPU" sh -c "! '$rl' plan $scene --method reference | grep -q '^buffer.\(colour\|depth\|environment\)'"
 check "no stencil, 16 bits, backs" sh -c "'$rl' plan $scene --method plain --depth-bits 16 --culling off >'$tmp/plan.tsv' &&
     grep -q '^buffer.depth.16 bits' '$tmp/plan.tsv' && ! grep -q 'stencil\|^culling' '$tmp/plan.tsv'"
 check "plan shows none when they are off" sh -c "! '$rl' plan $ball --shadows off | grep -q shadows"

@@ -57,6 +57,14 @@ static inline void inventory_add_programs(struct inventory *list, const struct r
     }
 }
 
+static inline void inventory_add_buffers(struct inventory *list, const struct rl_plan *plan)
+{
+    inventory_add(list, "colour buffer")->made.renderbuffers = 1;
+    inventory_add(list, "depth buffer")->made.renderbuffers = 1;
+    if (plan->n_environments > 0)
+        inventory_add(list, "environment depth buffer")->made.renderbuffers = 1;
+}
+
 static inline void inventory_add_textures(struct inventory *list, const struct rl_plan *plan,
                                           const struct rl_scene *scene)
 {
@@ -138,6 +146,7 @@ static inline void inventory_sum(struct rl_gpu_counters *to, const struct rl_gpu
     to->programs += from->programs;
     to->modules += from->modules;
     to->textures += from->textures;
+    to->renderbuffers += from->renderbuffers;
     to->bytes_uploaded += from->bytes_uploaded;
 }
 
@@ -149,11 +158,102 @@ static inline void inventory_check_counters(const char *what, const struct rl_gp
     const struct rl_gpu_counters *both[] = {found, expected};
     for (int i = 0; i < 2; i++)
         print_error("%s, %s: draws %zu, triangles %zu, culled %zu, programs %zu, modules %zu, textures %zu, "
-                    "bytes %zu\n",
+                    "render buffers %zu, bytes %zu\n",
                     what, i ? "expected" : "found", both[i]->draws, both[i]->triangles,
                     both[i]->triangles_culled, both[i]->programs, both[i]->modules, both[i]->textures,
-                    both[i]->bytes_uploaded);
+                    both[i]->renderbuffers, both[i]->bytes_uploaded);
     fail();
+}
+
+/* ---- What OpenGL was asked for, whoever counts it ---- */
+
+/* The functions that the calls go on to, and what came through since it was last cleared. Tests have one context at a time. */
+static struct rl_gl inventory_gl;
+static struct rl_gpu_counters inventory_calls;
+
+static void APIENTRY inventory_draw_elements(GLenum mode, GLsizei n, GLenum type, const void *indices)
+{
+    inventory_calls.draws++;
+    inventory_calls.triangles += (size_t)n / 3;
+    inventory_gl.DrawElements(mode, n, type, indices);
+}
+
+static void APIENTRY inventory_draw_arrays(GLenum mode, GLint first, GLsizei n)
+{
+    inventory_calls.draws++;
+    inventory_calls.triangles += (size_t)n / 3;
+    inventory_gl.DrawArrays(mode, first, n);
+}
+
+static void APIENTRY inventory_link_program(GLuint program)
+{
+    inventory_calls.programs++;
+    inventory_gl.LinkProgram(program);
+}
+
+static void APIENTRY inventory_tex_storage(GLenum target, GLsizei levels, GLenum format, GLsizei width,
+                                           GLsizei height)
+{
+    inventory_calls.textures++;
+    inventory_gl.TexStorage2D(target, levels, format, width, height);
+}
+
+/* Of 8 bits a component, as inventories are taken. */
+static void APIENTRY inventory_tex_sub_image(GLenum target, GLint level, GLint x, GLint y, GLsizei width,
+                                             GLsizei height, GLenum format, GLenum type, const void *texels)
+{
+    assert_true(format == GL_RGBA && type == GL_UNSIGNED_BYTE);
+    inventory_calls.bytes_uploaded += (size_t)width * (size_t)height * 4;
+    inventory_gl.TexSubImage2D(target, level, x, y, width, height, format, type, texels);
+}
+
+static void APIENTRY inventory_renderbuffer_storage(GLenum target, GLenum format, GLsizei width,
+                                                    GLsizei height)
+{
+    inventory_calls.renderbuffers++;
+    inventory_gl.RenderbufferStorage(target, format, width, height);
+}
+
+static void APIENTRY inventory_buffer_data(GLenum target, GLsizeiptr size, const void *data, GLenum usage)
+{
+    inventory_calls.bytes_uploaded += (size_t)size;
+    inventory_gl.BufferData(target, size, data, usage);
+}
+
+static void APIENTRY inventory_buffer_sub_data(GLenum target, GLintptr offset, GLsizeiptr size,
+                                               const void *data)
+{
+    inventory_calls.bytes_uploaded += (size_t)size;
+    inventory_gl.BufferSubData(target, offset, size, data);
+}
+
+static inline void inventory_listen(struct rl_gpu *gpu)
+{
+    inventory_gl = gpu->gl;
+    gpu->gl.DrawElements = inventory_draw_elements;
+    gpu->gl.DrawArrays = inventory_draw_arrays;
+    gpu->gl.LinkProgram = inventory_link_program;
+    gpu->gl.TexStorage2D = inventory_tex_storage;
+    gpu->gl.TexSubImage2D = inventory_tex_sub_image;
+    gpu->gl.RenderbufferStorage = inventory_renderbuffer_storage;
+    gpu->gl.BufferData = inventory_buffer_data;
+    gpu->gl.BufferSubData = inventory_buffer_sub_data;
+}
+
+static inline void inventory_stop_listening(struct rl_gpu *gpu)
+{
+#define RESTORE(type, name) gpu->gl.name = inventory_gl.name;
+    RL_GL_FUNCTIONS(RESTORE)
+#undef RESTORE
+}
+
+/* The counters of the GL layer against the calls, on a context that has kept nothing; culling and modules are not OpenGL's. */
+static inline void inventory_check_calls(const char *what, const struct rl_gpu_counters *found)
+{
+    inventory_calls.triangles_culled = found->triangles_culled;
+    inventory_calls.modules = found->modules;
+    inventory_check_counters(what, found, &inventory_calls);
+    inventory_calls = (struct rl_gpu_counters){0};
 }
 
 /* What the view's plan lists, which must be what is counted when it is carried out on a context that has kept nothing. */
@@ -170,6 +270,7 @@ static inline struct inventory *inventory_take(const char *what, struct rl_gpu *
     list->n = 0;
     check_ok(rl_plan_make(&plan, &view->scene, &view->settings, &error), &error);
     inventory_add_programs(list, &plan);
+    inventory_add_buffers(list, &plan);
     inventory_add_textures(list, &plan, &view->scene);
     inventory_add_lights(list, &plan);
     inventory_add_objects(list, &plan, &view->scene);
@@ -178,13 +279,18 @@ static inline struct inventory *inventory_take(const char *what, struct rl_gpu *
         inventory_sum(&frame, &list->item[i].frame);
     }
     rl_kept_clear(&gpu->kept, &gpu->gl);
+    inventory_listen(gpu);
+    inventory_calls = (struct rl_gpu_counters){0};
     check_ok(rl_gpu_scene_make(&gs, gpu, &view->scene, &plan, &error), &error);
     found = rl_gpu_scene_counters(gs);
     inventory_check_counters(what, &found, &made);
+    inventory_check_calls(what, &found);
     rl_gpu_scene_reset_counters(gs);
     check_ok(rl_gpu_scene_frame(gs, &seconds, &error), &error);
     found = rl_gpu_scene_counters(gs);
     inventory_check_counters(what, &found, &frame);
+    inventory_check_calls(what, &found);
+    inventory_stop_listening(gpu);
     rl_gpu_scene_free(gs);
     rl_plan_clear(&plan);
     return list;

@@ -106,12 +106,13 @@ static void check_plan(const struct done *done, const struct rl_scene *scene)
     assert_int_equal(done->made.modules, count_modules(plan));
     assert_int_equal(done->made.textures, plan->n_normal_maps + plan->n_environments);
     assert_int_equal(done->made.draws, 6 * plan->n_environments);
+    assert_int_equal(done->made.renderbuffers, 2 + (plan->n_environments > 0));
     size_t draws = 0;
     for (size_t i = 0; i < scene->n_objects; i++)
         draws += 1 + (rl_plan_of_object(plan, scene, i)->highlight_program >= 0);
     assert_int_equal(done->frame.draws, draws);
     assert_int_equal(done->frame.textures + done->frame.programs + done->frame.modules, 0);
-    assert_int_equal(done->frame.bytes_uploaded, 0);
+    assert_int_equal(done->frame.bytes_uploaded + done->frame.renderbuffers, 0);
 }
 
 /* The same scene once more is in use as before, but compiles no program, uploads no normal map and allocates no environment map. */
