@@ -86,8 +86,8 @@ static void export_cases(struct rl_export *table, const struct rl_claim *c)
 
 void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enum rl_export_format format)
 {
-    static const char *const column[] = {"claim", "verdict", "value", "low",    "high", "unit",
-                                         "study", "command", "scene", "figure", "note", "cases"};
+    static const char *const column[] = {"claim",   "verdict", "value",  "low",  "high",  "unit",    "study",
+                                         "command", "scene",   "figure", "note", "cases", "size_px", "seeds"};
     struct rl_export table;
     rl_export_begin(&table, out, format, column, sizeof column / sizeof column[0]);
     for (size_t i = 0; i < claims->n; i++) {
@@ -104,6 +104,8 @@ void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enu
         rl_export_text(&table, c->figure ? c->figure : "");
         rl_export_text(&table, c->note);
         export_cases(&table, c);
+        rl_export_text(&table, c->size_px);
+        rl_export_text(&table, c->seeds);
     }
     rl_export_end(&table);
 }

@@ -32,6 +32,9 @@ struct rl_claim {
     char scene[64];     /* as records name it */
     const char *figure; /* of the study, that shows it; NULL: its first. A text that stays */
     char command[800];  /* reproduces it; words quoted for a shell */
+    char size_px
+        [96]; /* "96x72": of its cases' pictures, with ", " between different ones; "" where none has a picture */
+    char seeds[64]; /* how many its cases have, likewise */
     size_t n_cases;
     char (*identity)[RL_HASH_TEXT]; /* of the cases that it comes from (see results/trace.h) */
 };
@@ -59,7 +62,7 @@ enum rl_verdict rl_verdict_equals(double low, double high, double target, double
 /* "holds", "holds up to", "fails", "inconclusive". */
 const char *rl_verdict_name(enum rl_verdict verdict);
 
-/* claims.tsv: columns claim, verdict, value, low, high, unit, study, command, scene, figure, note, cases; `cases` are identities
+/* claims.tsv: columns claim, verdict, value, low, high, unit, study, command, scene, figure, note, cases, size_px, seeds; `cases` are identities
  * with a blank between two. */
 void rl_claims_export(struct rl_buffer *out, const struct rl_claims *claims, enum rl_export_format format);
 

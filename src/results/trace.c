@@ -1,6 +1,9 @@
 /* Notes which records a judge reads (see trace.h). Each record of a traced run points at its own mark. */
 #include "results/trace.h"
 
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,6 +31,38 @@ int rl_trace_begin(struct rl_claims *claims, struct rl_run *run, struct rl_error
     return RL_OK;
 }
 
+/* Adds one more to a list with ", " between two, once; of a list that is full the end is "...". */
+static void add_once(char list[], size_t size, const char *value)
+{
+    size_t used = strlen(list), length = strlen(value);
+    for (const char *at = list; (at = strstr(at, value)); at += length)
+        if ((at == list || at[-1] == ' ') && (at[length] == ',' || at[length] == '\0'))
+            return;
+    if (used >= 3 && strcmp(list + used - 3, "...") == 0)
+        return;
+    bool fits = used + length + 8 < size;
+    snprintf(list + used, size - used, "%s%s", used ? ", " : "", fits ? value : "...");
+}
+
+/* What a number stands for beside its parameters: frames may be timed at a size of their own. */
+static void add_extent(struct rl_claim *c, const char *parameters)
+{
+    static const char *const side[][2] = {{"width", "height"}, {"timed_width", "timed_height"}};
+    for (size_t i = 0; i < sizeof side / sizeof side[0]; i++) {
+        double width = rl_parameter_number(parameters, side[i][0]);
+        double height = rl_parameter_number(parameters, side[i][1]);
+        char size[48];
+        snprintf(size, sizeof size, "%s%gx%g", i ? "timed " : "", width, height);
+        if (!isnan(width) && !isnan(height))
+            add_once(c->size_px, sizeof c->size_px, size);
+    }
+    char seeds[24];
+    double n = rl_parameter_number(parameters, "seeds");
+    snprintf(seeds, sizeof seeds, "%g", n);
+    if (!isnan(n))
+        add_once(c->seeds, sizeof c->seeds, seeds);
+}
+
 static int add_case(struct rl_claim *c, const char *identity, struct rl_error *error)
 {
     char(*grown)[RL_HASH_TEXT] = realloc(c->identity, (c->n_cases + 1) * sizeof *grown);
@@ -50,6 +85,8 @@ int rl_trace_take(struct rl_claims *claims, struct rl_error *error)
         bool own = c && strcmp(r->scene, c->scene) == 0;
         if (own && t->mark[i])
             status = add_case(c, r->identity, error);
+        if (own && t->mark[i])
+            add_extent(c, r->parameters);
         if (!own && (t->mark[i] & READ))
             t->mark[i] = COMMON;
         t->mark[i] &= COMMON;

@@ -3,7 +3,7 @@
  *     rl_trace_begin(&claims, &run, &error);
  *     study->judge(&claims, &run, &error);
  *     rl_trace_end(&claims, &error);
- *     claims.claim[i].identity[k], k < n_cases
+ *     claims.claim[i].identity[k], k < n_cases; and size_px and seeds, from these cases' parameters
  *
  * A judge has to do nothing for it but begin a claim (rl_claims_add) before it reads what the claim rests on. A figure of a scene
  * that is read before the scene's first claim (a noise floor, say) counts for all of that scene's claims. Only what is read through

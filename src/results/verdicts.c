@@ -218,6 +218,15 @@ static void add_cell(struct rl_buffer *page, const struct rl_verdict_row *row, s
     }
     rl_verdict_badge(page, c->verdict);
     add_value(page, c, href, row->cell[k].number);
+    if (c->size_px[0] || c->seeds[0]) {
+        rl_buffer_add(page, "<span class=\"note\">");
+        rl_buffer_printf(page, "%s%s%s%s", c->size_px, c->size_px[0] ? " px" : "",
+                         c->size_px[0] && c->seeds[0] ? ", seeds: "
+                         : c->seeds[0]                ? "seeds: "
+                                                      : "",
+                         c->seeds);
+        rl_buffer_add(page, "</span>");
+    }
     if (!href && c->note[0]) {
         rl_buffer_add(page, "<span class=\"note\">");
         rl_html_text(page, c->note);

@@ -87,6 +87,42 @@ static void test_cases(void **state)
     rl_run_clear(&run);
 }
 
+/* The sizes and seeds of a claim's own cases, each once, in their order; those of no picture have none. */
+static void test_extent(void **state)
+{
+    (void)state;
+    static const char *const parameters[] = {"width=96 height=72 seeds=16", "width=196 height=72 seeds=1",
+                                             "width=96 height=72 seeds=6", "loss=0.1",
+                                             "width=96 height=72 timed_width=640 timed_height=480 seeds=16"};
+    enum { N = sizeof parameters / sizeof parameters[0] };
+    struct rl_run run = {.study = "samples"};
+    struct rl_claims claims = {0};
+    const struct rl_place place = {"samples", "one", "one", 1};
+    for (size_t i = 0; i < N; i++) {
+        struct rl_record *r = rl_run_add(&run, &place, 0, NULL, "%s", parameters[i]);
+        assert_int_equal(rl_record_metric_add(r, "rmse", 1.0, 1.0, 1.0, "1", NULL), RL_OK);
+        r->status = RL_RECORD_OK;
+    }
+    rl_run_identify(&run, "here");
+    assert_int_equal(rl_trace_begin(&claims, &run, NULL), RL_OK);
+    begin(&claims, "one");
+    rl_record_metric(&run.record[3], "rmse");
+    begin(&claims, "one");
+    rl_record_metric(&run.record[0], "rmse");
+    begin(&claims, "one");
+    for (size_t i = 0; i < N; i++)
+        rl_record_metric(&run.record[i], "rmse");
+    assert_int_equal(rl_trace_end(&claims, NULL), RL_OK);
+    assert_string_equal(claims.claim[0].size_px, "");
+    assert_string_equal(claims.claim[0].seeds, "");
+    assert_string_equal(claims.claim[1].size_px, "96x72");
+    assert_string_equal(claims.claim[1].seeds, "16");
+    assert_string_equal(claims.claim[2].size_px, "96x72, 196x72, timed 640x480");
+    assert_string_equal(claims.claim[2].seeds, "16, 1, 6");
+    rl_claims_clear(&claims);
+    rl_run_clear(&run);
+}
+
 /* The claims of a run traced before keep their cases, and get none of the next run's. */
 static void test_runs(void **state)
 {
@@ -109,6 +145,7 @@ static void test_runs(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cases), cmocka_unit_test(test_runs)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cases), cmocka_unit_test(test_extent),
+                                       cmocka_unit_test(test_runs)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -129,7 +129,7 @@ check "and stops on Ctrl-C" [ $? -eq 130 ]
 mkdir "$tmp/tables" && echo "of another database" >"$tmp/tables/margin.tsv"
 "$rl" study export --db "$db" -o "$tmp/tables" && "$rl" study export --db "$db" --format json -o "$tmp/tables"
 check "claims.tsv has its columns" [ "$(head -n 1 "$tmp/tables/claims.tsv")" = \
-    "claim${tab}verdict${tab}value${tab}low${tab}high${tab}unit${tab}study${tab}command${tab}scene${tab}figure${tab}note${tab}cases" ]
+    "claim${tab}verdict${tab}value${tab}low${tab}high${tab}unit${tab}study${tab}command${tab}scene${tab}figure${tab}note${tab}cases${tab}size_px${tab}seeds" ]
 check "and every table has rows: none is written of studies that were not run, or left of another database" \
     [ -z "$(wc -l "$tmp"/tables/*.tsv | awk '$1 < 2')" -a ! -e "$tmp/tables/margin.tsv" -a ! -e "$tmp/tables/budget.json" ]
 check "every verdict is one of four" [ -z "$(column verdict "$tmp/tables/claims.tsv" |
