@@ -4,8 +4,9 @@
 #include "gpu/fixture.h"
 #include "reference/renderer.h"
 #include "scene/irradiance.h"
+#include "studies/features.h"
 
-/* Between them every effect. */
+/* Between them every effect that comes with the program; others are put on one of their materials. */
 static const char *const scenes[] = {"lamps", "window", "metals", "fur", "glass", "office", "facets"};
 enum { N_SCENES = sizeof scenes / sizeof scenes[0], WIDTH = 160, HEIGHT = 120 };
 
@@ -46,27 +47,86 @@ static void check_image(const char *name, int interpolation, bool culling, size_
     rl_scene_clear(&scene);
 }
 
+/* Whether the plan of the scene as it is has the effect. */
+static bool shows(const struct rl_scene *scene, const struct rl_effect *effect)
+{
+    struct rl_plan plan;
+    struct rl_error error;
+    bool seen = false;
+    check_ok(rl_plan_make(&plan, scene, &scene->settings, &error), &error);
+    for (size_t m = 0; m < plan.n_materials; m++)
+        for (size_t e = 0; e < plan.material[m].n_effects; e++)
+            seen = seen || effect == plan.material[m].effect[e];
+    rl_plan_clear(&plan);
+    return seen;
+}
+
+static bool has_scene(const struct rl_effect *effect)
+{
+    bool seen = false;
+    for (size_t i = 0; i < N_SCENES && !seen; i++) {
+        struct rl_scene scene;
+        load(&scene, scenes[i]);
+        seen = shows(&scene, effect);
+        rl_scene_clear(&scene);
+    }
+    return seen;
+}
+
+/* The effect on a material of the first scene where it does something, as the study `effects` puts it there: with values of its own choice.
+ * To be cleared both, the view first. */
+static void host(struct rl_view *view, struct rl_scene *scene, const struct rl_effect *effect)
+{
+    const struct rl_feature feature = {.name = effect->name, .kind = RL_FEATURE_EFFECT, .effect = effect};
+    struct rl_error error;
+    for (size_t i = 0; i < N_SCENES; i++) {
+        load(scene, scenes[i]);
+        check_ok(rl_view_make(view, scene, &scene->settings, &error), &error);
+        rl_view_host(view, &feature);
+        if (shows(&view->scene, effect))
+            return;
+        rl_view_clear(view);
+        rl_scene_clear(scene);
+    }
+    fail_msg("no scene shows the effect %s, nor does one where it is put on a material", effect->name);
+}
+
+/* Every scene, and every effect that none of them names. */
+static void check_images(int interpolation, size_t outliers)
+{
+    for (size_t i = 0; i < N_SCENES; i++)
+        check_image(scenes[i], interpolation, true, outliers);
+    for (size_t row = 0; row < rl_n_effects; row++) {
+        struct rl_view view;
+        struct rl_scene scene;
+        if (has_scene(rl_effects[row]))
+            continue;
+        host(&view, &scene, rl_effects[row]);
+        view.scene.settings.interpolation = interpolation;
+        check_against_cpu(rl_effects[row]->name, gpu, &view.scene, outliers);
+        rl_view_clear(&view);
+        rl_scene_clear(&scene);
+    }
+}
+
 static void test_images(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < N_SCENES; i++)
-        check_image(scenes[i], RL_INTERPOLATION_OF_MATERIAL, true, 40);
+    check_images(RL_INTERPOLATION_OF_MATERIAL, 40);
 }
 
 /* Every effect in the vertex shader. */
 static void test_vertices(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < N_SCENES; i++)
-        check_image(scenes[i], RL_INTERPOLATION_GOURAUD, true, 40);
+    check_images(RL_INTERPOLATION_GOURAUD, 40);
 }
 
 /* Of triangles with one value each every edge is an outline, where more pixels may be off. */
 static void test_facets(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < N_SCENES; i++)
-        check_image(scenes[i], RL_INTERPOLATION_CONSTANT, true, 80);
+    check_images(RL_INTERPOLATION_CONSTANT, 80);
 }
 
 /* The teapot has no bottom: from below its inside is seen, where back faces are. */
@@ -98,27 +158,18 @@ static void test_factors_keep_apart(void **state)
     rl_scene_clear(&scene);
 }
 
-static void test_every_effect_has_a_scene(void **state)
+/* Put on a material where no scene of its own would show it: of every effect that works. */
+static void test_every_effect_is_hosted(void **state)
 {
     (void)state;
-    bool seen[RL_MATERIAL_EFFECTS_MAX] = {false};
-    for (size_t i = 0; i < N_SCENES; i++) {
+    for (size_t row = 0; row < rl_n_effects; row++) {
+        struct rl_view view;
         struct rl_scene scene;
-        struct rl_plan plan;
-        struct rl_error error;
-        load(&scene, scenes[i]);
-        check_ok(rl_plan_make(&plan, &scene, &scene.settings, &error), &error);
-        for (size_t m = 0; m < plan.n_materials; m++) {
-            for (size_t e = 0; e < plan.material[m].n_effects; e++)
-                for (size_t row = 0; row < rl_n_effects; row++)
-                    seen[row] = seen[row] || rl_effects[row] == plan.material[m].effect[e];
-        }
-        rl_plan_clear(&plan);
+        host(&view, &scene, rl_effects[row]);
+        assert_true(shows(&view.scene, rl_effects[row]));
+        rl_view_clear(&view);
         rl_scene_clear(&scene);
     }
-    for (size_t row = 0; row < rl_n_effects; row++)
-        if (!seen[row])
-            fail_msg("no scene shows the effect %s", rl_effects[row]->name);
 }
 
 /* What lamps.yaml promises: one pass for all of it, and nothing beside the surface's own and the point and parallel lights' modules. */
@@ -184,7 +235,7 @@ int main(void)
         cmocka_unit_test(test_facets),
         cmocka_unit_test(test_both_sides),
         cmocka_unit_test(test_factors_keep_apart),
-        cmocka_unit_test(test_every_effect_has_a_scene),
+        cmocka_unit_test(test_every_effect_is_hosted),
         cmocka_unit_test(test_lamps),
         cmocka_unit_test(test_cd_per_square_metre),
     };
