@@ -35,7 +35,8 @@ int rl_interpolation_measure_bands(struct rl_record *record, struct rl_bench *be
 
 /* Records of what follows from many errors, one for each object, light and interpolation: rate, of the RMSE in h = 1/tessellation, from
  * the finest RL_INTERPOLATION_FITTED tessellations, with Student's interval; fitted, how many there were; from_tessellation; and
- * triangles_for_step, the triangles for an RMSE of 1/255: between those of the last tessellation above and of the first below it. */
+ * triangles_for_step, the triangles for an RMSE of 1/255: between those of the last tessellation above and of the first below it; where
+ * the coarsest is below already NAN, from 0 to its triangles. */
 enum { RL_INTERPOLATION_FITTED = 5 };
 int rl_interpolation_derive(struct rl_run *derived, const struct rl_run *run, struct rl_error *error);
 

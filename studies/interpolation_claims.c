@@ -92,7 +92,19 @@ static const struct {
      "1/255 ("},
 };
 
-/* Beyond the finest mesh there is no number, only a bound. */
+/* Where the coarsest mesh does there is no number, only a bound. */
+static void note_triangles(struct rl_claim *c, const char *what, const struct rl_interval *x)
+{
+    char text[128];
+    snprintf(text, sizeof text, "%.40s: at most %.4g, the coarsest", what, x->high);
+    size_t used = strlen(c->note);
+    if (isnan(x->value) && !isnan(x->high))
+        snprintf(c->note + used, sizeof c->note - used, "%s%s", used ? "; " : "", text);
+    else
+        note(c, what, x->value);
+}
+
+/* Nor is there one beyond the finest. */
 static int claim_triangles(const struct rl_judging *j, const char *object)
 {
     for (size_t k = 0; k < sizeof triangles / sizeof triangles[0]; k++) {
@@ -101,12 +113,12 @@ static int claim_triangles(const struct rl_judging *j, const char *object)
             return RL_ERR_SYSTEM;
         struct rl_interval more = rl_interpolation_rates(j->run, object, "eye", triangles[k].more).triangles;
         struct rl_interval less = rl_interpolation_rates(j->run, object, "eye", triangles[k].less).triangles;
-        if (isfinite(less.value))
+        if (isfinite(less.high))
             rl_claim_value(c, more.value / less.value, more.low / less.high,
                            less.low > 0.0 ? more.high / less.low : INFINITY, "times the triangles");
         c->verdict = rl_verdict_at_least(c->low, c->high, 3.0);
-        note(c, triangles[k].more, more.value);
-        note(c, triangles[k].less, less.value);
+        note_triangles(c, triangles[k].more, &more);
+        note_triangles(c, triangles[k].less, &less);
     }
     return RL_OK;
 }

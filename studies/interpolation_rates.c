@@ -38,7 +38,8 @@ static void collect(struct fall *fall, const struct rl_run *run, const char *obj
     }
 }
 
-/* Between the last tessellation whose error is above a step and the next, as a power law has it; the interval is these two. */
+/* Between the last tessellation whose error is above a step and the next, as a power law has it; the interval is these two. Where
+ * the first meets the bound already there is only the interval, from 0 on, and no value. */
 static struct rl_interval triangles_for_step(const struct fall *f)
 {
     size_t i = f->n;
@@ -49,7 +50,7 @@ static struct rl_interval triangles_for_step(const struct fall *f)
     if (i == f->n) /* not even the finest */
         return (struct rl_interval){INFINITY, f->triangles[i - 1], INFINITY};
     if (i == 0)
-        return (struct rl_interval){f->triangles[0], 0.0, f->triangles[0]};
+        return (struct rl_interval){NAN, 0.0, f->triangles[0]};
     double part = log(f->rmse[i - 1] / RL_STEP_OF_8_BITS) / log(f->rmse[i - 1] / f->rmse[i]);
     return (struct rl_interval){f->triangles[i - 1] * pow(f->triangles[i] / f->triangles[i - 1], part),
                                 f->triangles[i - 1], f->triangles[i]};
@@ -74,7 +75,7 @@ struct rl_interpolation_rates rl_interpolation_rates(const struct rl_run *run, c
 
 static int add(struct rl_record *r, const char *name, struct rl_interval x, struct rl_error *error)
 {
-    return isnan(x.value) ? RL_OK : rl_record_add(r, name, x, "1", error);
+    return isnan(x.value) && isnan(x.low) ? RL_OK : rl_record_add(r, name, x, "1", error);
 }
 
 static int add_rates(struct rl_run *derived, const struct rl_run *run, const char *object, const char *light,

@@ -133,6 +133,10 @@ void rl_verdict_rows_clear(struct rl_verdict_rows *rows)
 /* "0.0564" with its unit, then the interval on a line of its own. */
 static void add_value(struct rl_buffer *page, const struct rl_claim *c, const char *href, size_t number)
 {
+    if (isnan(c->value) && !isnan(c->low)) { /* bounds alone */
+        rl_buffer_printf(page, "<span class=\"interval\">[%.4g, %.4g]</span>", c->low, c->high);
+        return;
+    }
     if (isnan(c->value) || isinf(c->value)) {
         rl_html_element(page, "span", isnan(c->value) ? "not measured" : "more than was tried");
         return;

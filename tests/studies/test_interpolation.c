@@ -185,8 +185,24 @@ static void rates_are_those_of_the_finest(void **state)
     add_error(&run, "sphere", "eye", 4, "phong", 1e-4);
     r = rl_interpolation_rates(&run, "sphere", "eye", "phong");
     assert_true(isnan(r.rate.value));
-    check_near(r.triangles.value, 256.0, 0.0);
+    /* Fewer than the first would do: only a bound, no value. */
+    assert_true(isnan(r.triangles.value));
     check_near(r.triangles.low, 0.0, 0.0);
+    check_near(r.triangles.high, 256.0, 0.0);
+    assert_int_equal(rl_interpolation_derive(&derived, &run, NULL), RL_OK);
+    const struct rl_record *row = rl_run_find(&derived, RL_NO_SCENE, "interpolation=phong");
+    const struct rl_metric *bound = row ? rl_record_metric(row, "triangles_for_step") : NULL;
+    assert_true(bound && isnan(bound->value) && bound->low == 0.0 && bound->high == 256.0);
+    rl_run_clear(&derived);
+    /* Of Gouraud shading 1024 to 4096: at least 4 times as many, but no telling how many more. */
+    add_error(&run, "sphere", "eye", 8, "gouraud", 0.008);
+    add_error(&run, "sphere", "eye", 16, "gouraud", 0.002);
+    struct rl_claim c =
+        claim_of("interpolation", &run, "times the triangles of Phong shading for an RMSE of 1/255 (sphere");
+    assert_int_equal(c.verdict, RL_VERDICT_HOLDS);
+    assert_true(isnan(c.value) && isinf(c.high));
+    check_near(c.low, 4.0, 0.0);
+    assert_non_null(strstr(c.note, "phong: at most 256"));
     rl_run_clear(&run);
 }
 
