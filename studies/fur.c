@@ -348,6 +348,10 @@ static const struct rl_sweep sweeps[] = {
 
 static const char *const scenes[] = {"lamps", NULL};
 
+static const struct rl_cost costs[] = {{.pattern = "series=time", .picture = 0.001, .pixel = 0.04},
+                                       {.pattern = "series=form", .group = 0.0001},
+                                       {.pattern = "", .group = 0.035}};
+
 const struct rl_study rl_study_fur = {
     .name = "fur",
     .summary = "models of fur side by side, printed and corrected; where the glow comes from; cost per "
@@ -369,6 +373,8 @@ const struct rl_study rl_study_fur = {
     .plan = plan,
     .plan_alone = plan_alone,
     .sweeps = {sweeps, sizeof sweeps / sizeof sweeps[0]},
+    .costs = costs,
+    .n_costs = sizeof costs / sizeof costs[0],
     .measure = rl_fur_measure,
     .judge = rl_fur_judge,
 };
