@@ -227,8 +227,11 @@ static void APIENTRY inventory_buffer_sub_data(GLenum target, GLintptr offset, G
     inventory_gl.BufferSubData(target, offset, size, data);
 }
 
+/* A test that failed may have left it listening. */
 static inline void inventory_listen(struct rl_gpu *gpu)
 {
+    if (gpu->gl.DrawElements == inventory_draw_elements)
+        return;
     inventory_gl = gpu->gl;
     gpu->gl.DrawElements = inventory_draw_elements;
     gpu->gl.DrawArrays = inventory_draw_arrays;
