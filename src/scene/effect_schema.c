@@ -10,6 +10,21 @@
 
 static const cyaml_schema_value_t number = {CYAML_VALUE_FLOAT(CYAML_FLAG_DEFAULT, double)};
 
+/* What is off or on in C is a switch in scene files, and takes what the others there take. */
+static uint32_t fill_choice(cyaml_strval_t *to, const struct rl_effect_choice *choice)
+{
+    static const cyaml_strval_t switches[] = {{"on", 1}, {"off", 0}, {"true", 1}, {"false", 0}};
+    static_assert(sizeof switches / sizeof switches[0] <= RL_EFFECT_CHOICES_MAX, "room for a switch");
+    if (strcmp(choice[0].name, "off") == 0 && strcmp(choice[1].name, "on") == 0) {
+        memcpy(to, switches, sizeof switches);
+        return sizeof switches / sizeof switches[0];
+    }
+    uint32_t n = 0;
+    for (; n < RL_EFFECT_CHOICES_MAX && choice[n].name; n++)
+        to[n] = (cyaml_strval_t){choice[n].name, n};
+    return n;
+}
+
 /* Missed keys are noticed later, where messages can say what they are. */
 static cyaml_schema_value_t value_schema(const struct rl_effect_param *param, cyaml_strval_t *choice)
 {
@@ -17,13 +32,9 @@ static cyaml_schema_value_t value_schema(const struct rl_effect_param *param, cy
     switch (param->kind) {
     case RL_EFFECT_COLOUR:
         return (cyaml_schema_value_t){CYAML_VALUE_SEQUENCE_FIXED(flags, double, &number, 3)};
-    case RL_EFFECT_CHOICE: {
-        uint32_t n = 0;
-        for (; n < RL_EFFECT_CHOICES_MAX && param->choice[n].name; n++)
-            choice[n] = (cyaml_strval_t){param->choice[n].name, n};
-        return (cyaml_schema_value_t){
-            CYAML_VALUE_ENUM((enum cyaml_flag)(flags | CYAML_FLAG_STRICT), int, choice, n)};
-    }
+    case RL_EFFECT_CHOICE:
+        return (cyaml_schema_value_t){CYAML_VALUE_ENUM((enum cyaml_flag)(flags | CYAML_FLAG_STRICT), int,
+                                                       choice, fill_choice(choice, param->choice))};
     default:
         return (cyaml_schema_value_t){CYAML_VALUE_FLOAT(flags, double)};
     }

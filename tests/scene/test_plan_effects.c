@@ -203,9 +203,31 @@ static void test_facets_keep_lights(void **state)
     clear();
 }
 
+/* A switch of an effect takes the words that those of `render` take. */
+static void test_switch(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *word;
+        double value;
+    } rows[] = {{"on", 1.0}, {"off", 0.0}, {"true", 1.0}, {"false", 0.0}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char text[128];
+        const struct rl_effect *fur = rl_effect_find("lengyel");
+        snprintf(text, sizeof text, "    lengyel: {diffuse: [0, 0, 0], specular: [0, 0, 0], monochrome: %s}",
+                 rows[i].word);
+        load(13, 13, text);
+        const double *value = rl_effect_given(&scene.material[1], fur);
+        assert_non_null(value);
+        assert_true(value[rl_effect_values(fur) - 1] == rows[i].value);
+        rl_scene_clear(&scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_switch),
         cmocka_unit_test(test_sources),
         cmocka_unit_test(test_kinds),
         cmocka_unit_test(test_effects),

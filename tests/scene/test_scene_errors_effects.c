@@ -43,7 +43,7 @@ static void test_effects(void **state)
         AT(13, "    goldman: {diffuse: [0, 0, 0], specular: [0, 0, 0], rho-reflect: 1, c: 0}",
            "materials[1].goldman.c: found '0', expected either c, or"),
         AT(13, "    lengyel: {diffuse: [0, 0, 0], specular: [0, 0, 0], monochrome: grey}",
-           "materials[1].lengyel.monochrome: found 'grey', expected off or on"),
+           "materials[1].lengyel.monochrome: found 'grey', expected on, off, true or false"),
         AT(13, "    interpolation: flat",
            "materials[1].interpolation: found 'flat', expected phong, gouraud or constant"),
         /* Two models of one thing. */
