@@ -12,7 +12,7 @@ load ARG1
 raw = folder . "/fur_raw.tsv"
 step = 1.0 / 255.0
 small = strstrt(output, ".small.png") > 0
-of_raw(series) = strcol("study") eq "fur" && strcol("scene") eq scene && strcol("series") eq series
+of_raw(series) = strcol("series") eq series && strcol("scene") eq scene
 # The word after " NAME=" in a case's parameters; every NAME asked for is followed by another.
 word_of(name) = (at = strstrt(strcol("parameters"), " " . name . "="), at > 0 ? \
     (tail = strcol("parameters")[at + strlen(name) + 2:], end = strstrt(tail, " "), end > 0 ? tail[:end - 1] : tail) : "")

@@ -7,7 +7,7 @@ static const struct grid {
     double tolerance, rr[8];
 } grids[] = {
     [RL_GRID_QUICK] = {80, 60, 128, 512, 4, 1e-4, {30}},
-    [RL_GRID_DEFAULT] = {96, 72, 256, 1024, 6, 1e-4, {30, 300}},
+    [RL_GRID_DEFAULT] = {96, 72, 256, 1024, 5, 1e-4, {30, 300}},
     [RL_GRID_FULL] = {320, 240, 1024, 2048, 16, 1e-5, {3, 10, 30, 100, 300, 1000}},
 };
 
