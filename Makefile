@@ -220,14 +220,15 @@ test: all $(TEST_PROGRAMS)
 		$(call test_names,$(TEST_SOURCES) $(TEST_SCRIPTS)))))
 	@BUILD=$(BUILD) ROUGHLIGHT=$(BUILD)/roughlight .ci/run-tests $(TESTS)
 
-# In short those that make bench measures at length: the report has four minutes.
+# In short those that make bench measures at length, and those of effects: the report has four minutes.
 benched := accuracy bare
+brief := $(benched) effects fur interpolation visibility
 
 ## Run the studies and make build/report/index.html
 report: all
-	$(BUILD)/roughlight study run $$($(BUILD)/roughlight study list | tail -n +2 | cut -f 1 | grep -vx $(benched:%=-e %)) \
+	$(BUILD)/roughlight study run $$($(BUILD)/roughlight study list | tail -n +2 | cut -f 1 | grep -vx $(brief:%=-e %)) \
 		--db $(BUILD)/results.db $(grid)
-	$(BUILD)/roughlight study run $(benched) --db $(BUILD)/results.db $(or $(grid),--quick)
+	$(BUILD)/roughlight study run $(brief) --db $(BUILD)/results.db $(or $(grid),--quick)
 	$(BUILD)/roughlight study report --db $(BUILD)/results.db -o $(BUILD)/report
 
 # The commands go to stderr: stdout is the tables, with an empty line between two.
