@@ -56,7 +56,7 @@ static const struct grid grids[] = {
                    {false, {30}, {256, 1024}, 64, 16, 0}, /* timed they would be most of the time */
                    {true, {30}, {1, 4, 16, 64, 256}, 64, 16, 0}},
          .fine_env = 1024,
-         .floor_env = {16, 64, 256, 1024, 2048},
+         .floor_env = {16, 64, 256, 512, 2048},
          .floor_samples = 64},
     [RL_GRID_FULL] = {.width = 640,
                       .height = 480,
