@@ -167,11 +167,12 @@ static void test_claims_table(void **state)
     snprintf(c->text, sizeof c->text, "ours: \"not\" measured");
     struct rl_buffer text = {0};
     rl_claims_export(&text, &claims, RL_EXPORT_TSV);
-    expect(&text,
-           "claim\tverdict\tvalue\tlow\thigh\tunit\tstudy\tcommand\tscene\tfigure\tnote\tcases\tsize_px\tseeds\n"
-           "paper: fast\tholds\t1.5\t1.25\t1.75\t1\tfps\troughlight study run fps\tteapot-star\trate\tby "
-           "round\t0000000000000001 0000000000000002\t\t\n"
-           "ours: \"not\" measured\tinconclusive\tnan\tnan\tnan\t\t\t\t\t\t\t\t\t\n");
+    expect(
+        &text,
+        "claim\tverdict\tvalue\tlow\thigh\tunit\tstudy\tcommand\tscene\tfigure\tnote\tcases\tsize_px\tseeds\n"
+        "paper: fast\tholds\t1.5\t1.25\t1.75\t1\tfps\troughlight study run fps\tteapot-star\trate\tby "
+        "round\t0000000000000001 0000000000000002\t\t\n"
+        "ours: \"not\" measured\tinconclusive\tnan\tnan\tnan\t\t\t\t\t\t\t\t\t\n");
     rl_claims_export(&text, &claims, RL_EXPORT_JSON);
     assert_non_null(
         strstr(text.data,
