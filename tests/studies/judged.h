@@ -51,6 +51,15 @@ static inline struct rl_claim claim_of(const char *study, const struct rl_run *r
     return found;
 }
 
+/* `at`: what the world that it was judged in was given. */
+static inline void check_verdict(const struct rl_claim *c, enum rl_verdict expected, const char *words,
+                                 double at)
+{
+    if (c->verdict != expected)
+        fail_msg("'%s' at %g: %s, expected %s", words, at, rl_verdict_name(c->verdict),
+                 rl_verdict_name(expected));
+}
+
 /* With every case planned or failed, `least` claims or more are all inconclusive, without a number. */
 static inline void check_undecided(const char *study, struct rl_run *run, size_t least)
 {

@@ -180,9 +180,7 @@ static void verdicts_flip(void **state)
         struct world w = usual;
         memcpy((char *)&w + rows[i].field, &rows[i].value, sizeof rows[i].value);
         struct rl_claim c = judge(w, rows[i].words);
-        if (c.verdict != rows[i].verdict)
-            fail_msg("'%s' at %g: %s, expected %s", rows[i].words, rows[i].value, rl_verdict_name(c.verdict),
-                     rl_verdict_name(rows[i].verdict));
+        check_verdict(&c, rows[i].verdict, rows[i].words, rows[i].value);
         assert_string_equal(c.command, "roughlight study run distribution");
     }
     /* The limit lies between the last R_r that holds and the first that fails. */

@@ -112,9 +112,7 @@ static void verdicts_flip(void **state)
         memcpy((char *)&w + rows[i].field, &rows[i].value, sizeof rows[i].value);
         make(&run, &w);
         struct rl_claim c = claim_of("effects", &run, rows[i].words);
-        if (c.verdict != rows[i].verdict)
-            print_error("row %zu: %s is %s\n", i, rows[i].words, rl_verdict_name(c.verdict));
-        assert_int_equal(c.verdict, rows[i].verdict);
+        check_verdict(&c, rows[i].verdict, rows[i].words, rows[i].value);
         rl_run_clear(&run);
     }
 }

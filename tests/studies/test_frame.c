@@ -123,9 +123,7 @@ static void verdicts_flip(void **state)
         struct world w = usual;
         memcpy((char *)&w + rows[i].field, &rows[i].value, sizeof rows[i].value);
         struct rl_claim c = judge(w, rows[i].words);
-        if (c.verdict != rows[i].verdict)
-            fail_msg("'%s' at %g: %s, expected %s", rows[i].words, rows[i].value, rl_verdict_name(c.verdict),
-                     rl_verdict_name(rows[i].verdict));
+        check_verdict(&c, rows[i].verdict, rows[i].words, rows[i].value);
         check_near(c.value, rows[i].value, 0.0);
     }
     assert_string_equal(judge(usual, picture).command, "roughlight study run frame --scene made-up.yaml");

@@ -296,9 +296,7 @@ static void verdicts_flip(void **state)
         memcpy((char *)&w + rows[i].field, &rows[i].value, sizeof rows[i].value);
         make(&run, &w);
         struct rl_claim c = claim_of("fur", &run, rows[i].words);
-        if (c.verdict != rows[i].verdict)
-            fail_msg("'%s' at %g: %s, expected %s", rows[i].words, rows[i].value, rl_verdict_name(c.verdict),
-                     rl_verdict_name(rows[i].verdict));
+        check_verdict(&c, rows[i].verdict, rows[i].words, rows[i].value);
         rl_run_clear(&run);
     }
 }

@@ -250,9 +250,7 @@ static void verdicts_flip(void **state)
         struct world w = usual;
         memcpy((char *)&w + rows[i].field, &rows[i].value, sizeof rows[i].value);
         struct rl_claim c = judge(w, rows[i].words);
-        if (c.verdict != rows[i].verdict)
-            fail_msg("'%s' at %g: %s, expected %s", rows[i].words, rows[i].value, rl_verdict_name(c.verdict),
-                     rl_verdict_name(rows[i].verdict));
+        check_verdict(&c, rows[i].verdict, rows[i].words, rows[i].value);
     }
     check_near(judge(usual, "Gouraud shading makes Mach").value, 0.75, 1e-12);
     check_near(judge(usual, "a terminator in view").value, 0.2, 1e-9);
