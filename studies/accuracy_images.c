@@ -64,7 +64,7 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
                   {"unconverged", "px", (double)s->unconverged},
                   {"lines", "1", (double)s->evaluations}};
     for (size_t i = 0; i < sizeof metric / sizeof metric[0] && status == RL_OK; i++)
-        status = rl_record_add(r, metric[i].name, rl_exact_interval(metric[i].x), metric[i].unit, error);
+        status = rl_record_add_exact(r, metric[i].name, metric[i].x, metric[i].unit, error);
     return status;
 }
 

@@ -74,11 +74,6 @@ static int draw(struct rl_image *image, const struct arm *arm, struct rl_bench *
     return status == RL_OK ? rl_bare_read(arm->bare, image, error) : status;
 }
 
-static int add(struct rl_record *r, const char *name, double x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x, x, x, "1", error);
-}
-
 int rl_bare_add_work(struct rl_record *r, struct rl_gpu_scene *gs, struct rl_error *error)
 {
     struct rl_gpu_counters before = rl_gpu_scene_counters(gs);
@@ -88,12 +83,12 @@ int rl_bare_add_work(struct rl_record *r, struct rl_gpu_scene *gs, struct rl_err
     struct rl_gpu_counters after = rl_gpu_scene_counters(gs);
     rl_gpu_scene_depth(gs, &depth_bits, &stencil_bits);
     if (status == RL_OK)
-        status = add(r, "draws", (double)(after.draws - before.draws), error);
+        status = rl_record_add_exact(r, "draws", (double)(after.draws - before.draws), "1", error);
     if (status == RL_OK)
-        status = add(r, "programs", (double)after.programs, error);
+        status = rl_record_add_exact(r, "programs", (double)after.programs, "1", error);
     if (status == RL_OK)
-        status = add(r, "textures", (double)after.textures, error);
-    return status == RL_OK ? add(r, "stencil", stencil_bits > 0, error) : status;
+        status = rl_record_add_exact(r, "textures", (double)after.textures, "1", error);
+    return status == RL_OK ? rl_record_add_exact(r, "stencil", stencil_bits > 0, "1", error) : status;
 }
 
 /* The largest difference from the first arm's picture. */
@@ -108,7 +103,7 @@ static int add_pictures(struct rl_record *records, const struct arm *arm, size_t
         for (size_t k = 0; status == RL_OK && k < 4 * (size_t)image.width * (size_t)image.height; k++)
             worst = fmax(worst, fabs((double)image.data[k] - (double)first.data[k]));
         if (status == RL_OK)
-            status = add(&records[i], "worst", worst, error);
+            status = rl_record_add_exact(&records[i], "worst", worst, "1", error);
         rl_image_clear(&image);
     }
     rl_image_clear(&first);

@@ -133,7 +133,7 @@ static int measure_frame(struct rl_record *r, struct group *g)
     if (status == RL_OK)
         status = compare(r, g, &rounded, &clamped);
     if (status == RL_OK)
-        status = rl_record_add(r, "clipped", rl_exact_interval(share), "1", g->error);
+        status = rl_record_add_exact(r, "clipped", share, "1", g->error);
     rl_seeds_clear(&rounded);
     rl_seeds_clear(&clamped);
     return status;

@@ -142,7 +142,7 @@ static int add_fit(struct rl_record *r, const struct tally *t, struct rl_error *
     };
     int status = RL_OK;
     for (size_t i = 0; i < sizeof row / sizeof row[0] && status == RL_OK; i++)
-        status = rl_record_add(r, row[i].name, rl_exact_interval(row[i].value), "1", error);
+        status = rl_record_add_exact(r, row[i].name, row[i].value, "1", error);
     if (status == RL_OK)
         status = rl_record_add(r, "misfit_delta", rl_goodness_misfit(&t->u, RL_DISTRIBUTION_BINS, 0.95), "1",
                                error);
@@ -171,9 +171,9 @@ static int add_moments(struct rl_record *r, const struct tally *t, struct rl_err
     if (status == RL_OK)
         status = rl_record_add(r, "width", width_of(t), "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "d_median", rl_exact_interval(t->d->median), "rad", error);
+        status = rl_record_add_exact(r, "d_median", t->d->median, "rad", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "d_rms_sine", rl_exact_interval(t->d->rms_sine), "1", error);
+        status = rl_record_add_exact(r, "d_rms_sine", t->d->rms_sine, "1", error);
     return status;
 }
 

@@ -217,11 +217,6 @@ static void end(struct job *job)
 
 /* ---- Figures ---- */
 
-static int add_number(struct rl_record *r, const char *name, double x, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, x, x, x, "1", error);
-}
-
 /* How far from 0 the interval reaches. */
 static double reach(struct rl_interval x)
 {
@@ -237,10 +232,11 @@ static int add_direction(struct rl_record *r, const char *direction, const struc
     int status = rl_record_add(r, name, ms, "ms", job->error);
     snprintf(name, sizeof name, "time_%s_clear", direction);
     if (status == RL_OK)
-        status = add_number(r, name, ms.low > floor_ms || ms.high < -floor_ms, job->error);
+        status = rl_record_add_exact(r, name, ms.low > floor_ms || ms.high < -floor_ms, "1", job->error);
     for (int k = 0; k < WORKS && status == RL_OK; k++) {
         snprintf(name, sizeof name, "%s_%s", direction, work_name[k]);
-        status = add_number(r, name, job->arm[with].work[k] - job->arm[without].work[k], job->error);
+        status =
+            rl_record_add_exact(r, name, job->arm[with].work[k] - job->arm[without].work[k], "1", job->error);
     }
     return status;
 }
@@ -260,19 +256,20 @@ static int add_benefit(struct rl_record *r, const struct rl_image *without, cons
         const float *a = with->data + 4 * i, *b = without->data + 4 * i;
         changed += a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
     }
-    status = add_number(r, "rmse", m.rmse, error);
+    status = rl_record_add_exact(r, "rmse", m.rmse, "1", error);
     if (status == RL_OK)
-        status = add_number(r, "max", m.max, error);
-    return status == RL_OK ? add_number(r, "share", (double)changed / (double)m.pixels, error) : status;
+        status = rl_record_add_exact(r, "max", m.max, "1", error);
+    return status == RL_OK ? rl_record_add_exact(r, "share", (double)changed / (double)m.pixels, "1", error)
+                           : status;
 }
 
 static int add_feature(struct rl_record *r, const struct job *job, size_t i, const struct rl_timing *t,
                        double floor_ms)
 {
     const struct pair *p = &job->pair[i];
-    int status = add_number(r, "row", (double)i, job->error);
+    int status = rl_record_add_exact(r, "row", (double)i, "1", job->error);
     if (status == RL_OK)
-        status = add_number(r, "named", p->named, job->error);
+        status = rl_record_add_exact(r, "named", p->named, "1", job->error);
     if (status == RL_OK)
         status = add_direction(r, "added", job, t, p->bare_with, p->bare_without, floor_ms);
     if (status == RL_OK)
@@ -317,9 +314,9 @@ static int add_all(struct rl_record *r, const struct job *job, const struct rl_t
         status = rl_record_add(r, "time_zero", rl_ratio_interval(t->ms[ZERO], t->ms[FULL], t->n_rounds, 0.95),
                                "1", job->error);
     if (status == RL_OK)
-        status = add_number(r, "zero_work", more, job->error);
+        status = rl_record_add_exact(r, "zero_work", more, "1", job->error);
     if (status == RL_OK)
-        status = add_number(r, "frames", (double)t->n_rounds, job->error);
+        status = rl_record_add_exact(r, "frames", (double)t->n_rounds, "1", job->error);
     if (status == RL_OK)
         status = add_sum(r, job, t);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[FULL], t->n_rounds, job->error)

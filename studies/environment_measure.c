@@ -134,7 +134,7 @@ static int add_parallax(struct rl_record *r, struct rl_bench *bench, const struc
                                "1", error);
     const struct rl_object *object = &scene->object[rl_environment_object(scene)];
     double size = object->radius / v3_length(v3_sub(scene->light[0].centre, object->centre));
-    return status == RL_OK ? rl_record_add(r, "size", rl_exact_interval(size), "1", error) : status;
+    return status == RL_OK ? rl_record_add_exact(r, "size", size, "1", error) : status;
 }
 
 static int measure_parallax(struct rl_record *records, size_t n, struct rl_bench *bench,

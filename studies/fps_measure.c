@@ -138,13 +138,13 @@ static int add_times(struct rl_record *records, size_t n, const struct rl_timing
     if (status == RL_OK)
         status = rl_record_add(r, "fps", fps, "1/s", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "frames", rl_exact_interval((double)t->n_rounds), "1", error);
+        status = rl_record_add_exact(r, "frames", (double)t->n_rounds, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "time_precision", rl_exact_interval(half), "1", error);
+        status = rl_record_add_exact(r, "time_precision", half, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "time_precise", rl_exact_interval(half <= precision_wanted), "1", error);
+        status = rl_record_add_exact(r, "time_precise", half <= precision_wanted, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "time_capped", rl_exact_interval(!(half <= precision_wanted)), "1", error);
+        status = rl_record_add_exact(r, "time_capped", !(half <= precision_wanted), "1", error);
     if (status == RL_OK && baseline >= 0)
         status =
             rl_record_add(r, "above_baseline_ms",
@@ -153,7 +153,7 @@ static int add_times(struct rl_record *records, size_t n, const struct rl_timing
         status = rl_record_add(r, "time_to_random4",
                                rl_ratio_interval(t->ms[i], t->ms[random], t->n_rounds, 0.95), "1", error);
     if (status == RL_OK && !isnan(paper_fps(r)))
-        status = rl_record_add(r, "paper_fps", rl_exact_interval(paper_fps(r)), "1/s", error);
+        status = rl_record_add_exact(r, "paper_fps", paper_fps(r), "1/s", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;
 }
 
@@ -168,7 +168,7 @@ static int add_drawn(struct rl_record *r, const struct subject *s, struct rl_err
     for (size_t i = 0; i < (size_t)drawn.width * (size_t)drawn.height; i++)
         sum += drawn.data[i];
     rl_image_clear(&drawn);
-    return rl_record_add(r, "drawn_px", rl_exact_interval(sum), "px", error);
+    return rl_record_add_exact(r, "drawn_px", sum, "px", error);
 }
 
 /* How much there was to do. */
@@ -176,15 +176,13 @@ static int add_work(struct rl_record *r, const struct subject *s, struct rl_erro
 {
     int status = RL_OK;
     if (on_cpu(r)) {
-        status = rl_record_add(r, "texel_normals", rl_exact_interval((double)s->texel_normals), "1", error);
-        return status == RL_OK
-                   ? rl_record_add(r, "drawn_px", rl_exact_interval((double)s->foreground), "px", error)
-                   : status;
+        status = rl_record_add_exact(r, "texel_normals", (double)s->texel_normals, "1", error);
+        return status == RL_OK ? rl_record_add_exact(r, "drawn_px", (double)s->foreground, "px", error)
+                               : status;
     }
-    status = rl_record_add(r, "env_maps", rl_exact_interval((double)s->set->plan.n_environments), "1", error);
+    status = rl_record_add_exact(r, "env_maps", (double)s->set->plan.n_environments, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "normal_maps", rl_exact_interval((double)s->set->plan.n_normal_maps), "1",
-                               error);
+        status = rl_record_add_exact(r, "normal_maps", (double)s->set->plan.n_normal_maps, "1", error);
     bool sampled = rl_parameters_match(r->parameters, "method=random") ||
                    rl_parameters_match(r->parameters, "method=regular");
     bool frame = !rl_parameters_match(r->parameters, "arm=environment") &&

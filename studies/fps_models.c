@@ -218,7 +218,7 @@ static double noise_floor(const struct rl_run *run, const char *scene, const cha
 static int add_number(struct rl_record *r, const char *name, double x, const char *unit,
                       struct rl_error *error)
 {
-    return isnan(x) ? RL_OK : rl_record_metric_add(r, name, x, x, x, unit, error);
+    return isnan(x) ? RL_OK : rl_record_add_exact(r, name, x, unit, error);
 }
 
 static int add_interval(struct rl_record *r, const char *name, struct rl_interval x, double scale,

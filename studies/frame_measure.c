@@ -138,7 +138,7 @@ static int add_lobe(struct rl_record *r, const struct lobe *lobe, struct rl_erro
                                (struct rl_interval){exp(against.value), exp(against.low), exp(against.high)},
                                "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "worst", rl_exact_interval(worst), "1", error);
+        status = rl_record_add_exact(r, "worst", worst, "1", error);
     if (status == RL_OK)
         status = rl_record_add(r, "half", (struct rl_interval){p, middle - room, middle + room}, "1", error);
     return status;
@@ -347,7 +347,7 @@ static int measure_scene(struct rl_record *r, struct rl_bench *bench, const stru
         status =
             rl_record_add(r, "mean", (struct rl_interval){m.bias, m.bias - room, m.bias + room}, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "moved", rl_exact_interval(share), "1", error);
+        status = rl_record_add_exact(r, "moved", share, "1", error);
     return status;
 }
 

@@ -74,7 +74,7 @@ static double eight_bits(double linear)
 
 static int add(struct rl_record *r, const char *name, double value, struct rl_error *error)
 {
-    return rl_record_add(r, name, rl_exact_interval(value), "1", error);
+    return rl_record_add_exact(r, name, value, "1", error);
 }
 
 /* A value holds a pixel of the upper half and that as far down in the lower one, so that either half is one picture to draw. */

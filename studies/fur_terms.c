@@ -10,7 +10,7 @@
 
 static int add(struct rl_record *r, const char *name, double value, struct rl_error *error)
 {
-    return rl_record_add(r, name, rl_exact_interval(value), "1", error);
+    return rl_record_add_exact(r, name, value, "1", error);
 }
 
 /* ---- Identities ---- */

@@ -54,11 +54,6 @@ static int make_case(struct rl_bench_scene **set, struct rl_bench *bench, const 
     return make_set(set, bench, scene, head, r, error);
 }
 
-static int add(struct rl_record *r, const char *name, double value, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, value, value, value, "1", error);
-}
-
 /* What the plan decided. */
 static int add_plan(struct rl_record *r, const struct rl_scene *scene, const struct rl_plan *plan,
                     struct rl_error *error)
@@ -67,13 +62,13 @@ static int add_plan(struct rl_record *r, const struct rl_scene *scene, const str
     for (size_t i = 0; i < plan->n_materials; i++)
         if (plan->material[i].sphere_program >= 0)
             margin = fmax(margin, plan->material[i].margin);
-    int status = add(r, "spheres", margin >= 0.0, error);
+    int status = rl_record_add_exact(r, "spheres", margin >= 0.0, "1", error);
     if (status == RL_OK && margin >= 0.0)
-        status = add(r, "margin", margin, error);
+        status = rl_record_add_exact(r, "margin", margin, "1", error);
     if (status == RL_OK && plan->settings.margin_kind == RL_MARGIN_AUTO)
-        status = add(r, "bound", plan->settings.margin_bound, error);
+        status = rl_record_add_exact(r, "bound", plan->settings.margin_bound, "1", error);
     double rr = rl_parameters_match(r->parameters, "arm=auto") ? first_rr(scene, plan) : NAN;
-    return status == RL_OK && isfinite(rr) ? add(r, "from_rr", rr, error) : status;
+    return status == RL_OK && isfinite(rr) ? rl_record_add_exact(r, "from_rr", rr, "1", error) : status;
 }
 
 static bool is_baseline(const struct rl_record *r)
@@ -138,11 +133,11 @@ static int measure_filled(struct rl_record *records, size_t n, struct rl_error *
         double loss = rl_parameter_number(records[i].parameters, "loss");
         struct rl_margin_filled f = rl_margin_filled(rl_parameter_number(records[i].parameters, "rr"), loss);
         bool spheres = isfinite(f.lost) || isfinite(f.due);
-        status = add(&records[i], "bound", loss, error);
+        status = rl_record_add_exact(&records[i], "bound", loss, "1", error);
         if (status == RL_OK && spheres)
-            status = add(&records[i], "filled", isfinite(f.lost) ? f.lost : 0.0, error);
+            status = rl_record_add_exact(&records[i], "filled", isfinite(f.lost) ? f.lost : 0.0, "1", error);
         if (status == RL_OK && spheres)
-            status = add(&records[i], "due", isfinite(f.due) ? f.due : 0.0, error);
+            status = rl_record_add_exact(&records[i], "due", isfinite(f.due) ? f.due : 0.0, "1", error);
     }
     return status;
 }

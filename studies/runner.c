@@ -50,7 +50,7 @@ static int add_spent(struct rl_record *r, const double before[RL_SPENT_KINDS], c
         char name[RL_NAME_MAX];
         double seconds = after->seconds[k] - before[k];
         snprintf(name, sizeof name, "spent_%s", rl_spent_name((enum rl_spent_kind)k));
-        status = rl_record_metric_add(r, name, seconds, seconds, seconds, "s", error);
+        status = rl_record_add_exact(r, name, seconds, "s", error);
     }
     return status;
 }

@@ -26,11 +26,11 @@ static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, dou
     double reached = fmax(ms.high - ms.value, ms.value - ms.low) / ms.value;
     int status = rl_record_add(r, "frame_ms", ms, "ms", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "frames", rl_exact_interval((double)t->n_rounds), "1", error);
+        status = rl_record_add_exact(r, "frames", (double)t->n_rounds, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "time_precision", rl_exact_interval(reached), "1", error);
+        status = rl_record_add_exact(r, "time_precision", reached, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "time_capped", rl_exact_interval(reached > precision), "1", error);
+        status = rl_record_add_exact(r, "time_capped", reached > precision, "1", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;
 }
 

@@ -8,11 +8,6 @@
 
 enum { ARMS = 3 };
 
-static int add(struct rl_record *r, const char *name, double value, struct rl_error *error)
-{
-    return rl_record_metric_add(r, name, value, value, value, "1", error);
-}
-
 /* Of one arm, over all views. */
 struct tally {
     size_t pixels, changed, sure, changed_sure;
@@ -57,10 +52,10 @@ static int add_meshes(struct rl_record *r, const struct rl_bench_scene *set, str
         back += rl_mesh_back_faces(mesh, set->scene.camera.position);
     }
     if (status == RL_OK)
-        status = add(r, "closed", all_closed, error);
+        status = rl_record_add_exact(r, "closed", all_closed, "1", error);
     if (status == RL_OK)
-        status = add(r, "triangles", (double)triangles, error);
-    return status == RL_OK ? add(r, "back_faces", (double)back, error) : status;
+        status = rl_record_add_exact(r, "triangles", (double)triangles, "1", error);
+    return status == RL_OK ? rl_record_add_exact(r, "back_faces", (double)back, "1", error) : status;
 }
 
 /* All arms, set up for one view. */
@@ -100,12 +95,13 @@ static int compare_pictures(struct tally tally[ARMS], struct rl_bench_scene *con
 
 static int add_tally(struct rl_record *r, const struct tally *tally, struct rl_error *error)
 {
-    int status = add(r, "pixels", (double)tally->pixels, error);
+    int status = rl_record_add_exact(r, "pixels", (double)tally->pixels, "1", error);
     if (status == RL_OK)
-        status = add(r, "changed", (double)tally->changed, error);
+        status = rl_record_add_exact(r, "changed", (double)tally->changed, "1", error);
     if (status == RL_OK)
-        status = add(r, "sure_pixels", (double)tally->sure, error);
-    return status == RL_OK ? add(r, "changed_sure", (double)tally->changed_sure, error) : status;
+        status = rl_record_add_exact(r, "sure_pixels", (double)tally->sure, "1", error);
+    return status == RL_OK ? rl_record_add_exact(r, "changed_sure", (double)tally->changed_sure, "1", error)
+                           : status;
 }
 
 static int measure_pictures(struct rl_record *records, size_t n, struct rl_bench *bench,

@@ -165,6 +165,12 @@ int rl_record_add(struct rl_record *record, const char *name, struct rl_interval
     return rl_record_metric_add(record, name, x.value, x.low, x.high, unit, error);
 }
 
+int rl_record_add_exact(struct rl_record *record, const char *name, double value, const char *unit,
+                        struct rl_error *error)
+{
+    return rl_record_metric_add(record, name, value, value, value, unit, error);
+}
+
 int rl_record_series_add(struct rl_record *record, const char *name, const double *value, size_t n,
                          struct rl_error *error)
 {

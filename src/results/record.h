@@ -107,6 +107,9 @@ int rl_record_metric_add(struct rl_record *record, const char *name, double valu
 /* The same, value and interval in one. */
 int rl_record_add(struct rl_record *record, const char *name, struct rl_interval x, const char *unit,
                   struct rl_error *error);
+/* The same of a value without error. */
+int rl_record_add_exact(struct rl_record *record, const char *name, double value, const char *unit,
+                        struct rl_error *error);
 /* Copies n values. */
 int rl_record_series_add(struct rl_record *record, const char *name, const double *value, size_t n,
                          struct rl_error *error);
