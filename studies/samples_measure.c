@@ -40,7 +40,7 @@ static int measure_time(struct rl_record *records, struct rl_bench_scene **set, 
         return RL_OK;
     const struct rl_arms_options options = {.frames = rounds,
                                             .most_frames = 2 * rounds,
-                                            .most_seconds = 0.1 * rounds,
+                                            .most_seconds = 0.05 * rounds,
                                             .baseline = "series=time method=none",
                                             .against = "series=methods method=random samples=4",
                                             .ratio = "time_to_random4"};

@@ -48,7 +48,7 @@ struct rl_gpu_counters {
         triangles_culled; /* of these, back faces, as seen from where the camera was when the scene was made */
     size_t programs, modules, textures; /* in use; modules: of all programs, each as often as it is in one */
     size_t programs_kept,
-        textures_kept; /* of these, those that the context had from before and took no time or upload */
+        textures_kept;    /* of these, those that the context had from before and took no time or upload */
     size_t renderbuffers; /* allocated: colour and depth of the picture, and the depth of environment maps */
     size_t bytes_uploaded, bytes_kept; /* the latter: those of kept textures, which were uploaded before */
 };
