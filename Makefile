@@ -46,7 +46,9 @@ SHIM_SOURCE := $(wildcard src/image/oiio.cpp)
 TEST_SUPPORT := $(wildcard tests/support/*.c)
 TEST_SOURCES := $(sort $(filter-out $(TEST_SUPPORT),$(wildcard tests/*/test_*.c)))
 TEST_SCRIPTS := $(sort $(wildcard tests/*/test_*.sh))
-C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES)
+# The program that writes the exact answers of the hard cases.
+EXACT_SOURCES := $(wildcard tests/hard/exact*.c)
+C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES) $(EXACT_SOURCES)
 ALL_SOURCES := $(C_SOURCES) $(SHIM_SOURCE) $(wildcard .ci/*.c) $(wildcard src/*/*.h studies/*.h tests/*/*.h)
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $1))
@@ -112,7 +114,7 @@ LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp sleef
 HEADER_MODULES := osmesa egl
 NO_COMPILE := help clean uninstall setup format format-check
 GOALS := $(or $(MAKECMDGOALS),all)
-PURPOSES := build $(filter test report,$(GOALS)) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
+PURPOSES := build $(filter test report,$(GOALS:hard-answers=test)) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
 	$(if $(findstring clang,$(CC)),clang)
 ifneq ($(filter-out $(NO_COMPILE),$(GOALS)),)
 include $(GEN)/packages.mk
@@ -199,6 +201,11 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(EXTRA)
 	$(if $(V),,@echo "  LINK    $@")
 	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
 
+$(BUILD)/tests/hard/exact: $(call object,$(EXACT_SOURCES)) $(EXTRA)
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  LINK    $@")
+	$(Q)$(C_LINK) $^ -lmpfr -lgmp -lm -o $@
+
 # It plants normals of another R_r than was asked for.
 $(BUILD)/tests/studies/test_distribution: TEST_LIBS += -Wl,--wrap=rl_ellipsoid_make
 
@@ -238,6 +245,11 @@ bench: all
 	@$(BUILD)/roughlight study export --db $(BUILD)/results.db -o $(BUILD)/tables
 	@for table in accuracy_points accuracy_images accuracy_kernel bare; do cat $(BUILD)/tables/$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy" || $$7 == "bare"' $(BUILD)/tables/claims.tsv
+
+.PHONY: hard-answers
+## Write exact answers and bounds into the catalogue of hard cases (tests/hard/*.tsv), from MPFR
+hard-answers: $(BUILD)/tests/hard/exact
+	$(BUILD)/tests/hard/exact $(wildcard tests/hard/*.tsv)
 
 # Before anything is built for it.
 all_faults := $(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch)))

@@ -1,0 +1,263 @@
+/* Writes the exact answers and the bounds into the catalogue of hard cases, tests/hard/NAME.tsv.
+ *
+ *     build/tests/hard/exact tests/hard/frame.tsv ...           each file anew, in place
+ *     build/tests/hard/exact --check tests/hard/frame.tsv ...   exit 1 where that would change one
+ *
+ * A file: lines of comment (#), a header, rows. An author writes the arguments and why the row is hard, the last column; what stands
+ * between them is made here, four columns for each result:
+ *
+ *     NAME           exact answer for the arguments as double precision has them
+ *     NAME_bound     how far double precision may be from it
+ *     NAME_single    exact answer for the arguments rounded to single precision: directions are scaled by a power of two first
+ *     NAME_single_bound
+ *
+ * The bound is the greatest of: 8 units in the last place, for single precision 1e-5 of the answer and 1e-6; and, where the argument's
+ * own rounding moves the answer by more (a badly conditioned case), twice what all arguments together move it by when each changes by one
+ * unit in its last place: the answer is then exact for arguments within two units of those given (Higham, Accuracy and Stability of
+ * Numerical Algorithms, section 1.5, calls that mixed stability).
+ */
+#include "exact.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DIGITS = 25, FIELDS_MAX = EXACT_IN_MAX + 4 * EXACT_OUT_MAX + 1, BITS_DOUBLE = 53, BITS_SINGLE = 24 };
+
+static const char *path;
+static size_t line_number;
+
+static void stop(const char *found, const char *expected)
+{
+    fprintf(stderr, "%s:%zu: found %s, expected %s\n", path, line_number, found, expected);
+    exit(2);
+}
+
+/* ---- Answers ---- */
+
+/* An argument of the row, as that precision has it. */
+static void set_argument(mpfr_t to, const struct exact_function *f, size_t i, double x, int bits)
+{
+    if (bits == BITS_DOUBLE) {
+        mpfr_set_d(to, x, MPFR_RNDN);
+    } else if (i < 3 * f->n_directions) {
+        /* Of any size: what is evaluated gets the direction scaled to about 1. */
+        mpfr_set_d(to, x, MPFR_RNDN);
+        mpfr_prec_round(to, BITS_SINGLE, MPFR_RNDN);
+        mpfr_prec_round(to, EXACT_BITS, MPFR_RNDN);
+    } else {
+        mpfr_set_flt(to, (float)x, MPFR_RNDN);
+    }
+}
+
+/* x moved by one unit in the last place of that precision, up or down. */
+static void step(mpfr_t to, mpfr_t x, int bits, bool up)
+{
+    mpfr_set(to, x, MPFR_RNDN);
+    mpfr_prec_round(to, bits, MPFR_RNDN);
+    if (up)
+        mpfr_nextabove(to);
+    else
+        mpfr_nextbelow(to);
+    mpfr_prec_round(to, EXACT_BITS, MPFR_RNDN);
+}
+
+/* What the results move by when each argument does; an argument of 0, or one left out, stays. */
+static void add_moves(const struct exact_function *f, mpfr_t in[], mpfr_t out[], mpfr_t moves[], int bits)
+{
+    mpfr_t there[EXACT_OUT_MAX], kept;
+    mpfr_init(kept);
+    for (size_t k = 0; k < f->n_out; k++) {
+        mpfr_init(there[k]);
+        mpfr_set_zero(moves[k], 1);
+    }
+    for (size_t i = 0; i < 2 * f->n_in; i++) {
+        mpfr_ptr x = in[i / 2];
+        if (mpfr_nan_p(x) || mpfr_zero_p(x))
+            continue;
+        mpfr_set(kept, x, MPFR_RNDN);
+        step(x, kept, bits, i % 2 != 0);
+        f->evaluate(there, in);
+        mpfr_set(x, kept, MPFR_RNDN);
+        for (size_t k = 0; k < f->n_out; k++) {
+            /* Both ways are added up, and halved below. */
+            mpfr_sub(there[k], there[k], out[k], MPFR_RNDN);
+            mpfr_abs(there[k], there[k], MPFR_RNDN);
+            mpfr_add(moves[k], moves[k], there[k], MPFR_RNDN);
+        }
+    }
+    for (size_t k = 0; k < f->n_out; k++) {
+        mpfr_div_2ui(moves[k], moves[k], 1, MPFR_RNDN);
+        mpfr_clear(there[k]);
+    }
+    mpfr_clear(kept);
+}
+
+/* Of the answer y whose arguments move it by `moves`. */
+static double bound(mpfr_t y, mpfr_t moves, int bits)
+{
+    double value = fabs(mpfr_get_d(y, MPFR_RNDN)), moved = 2.0 * mpfr_get_d(moves, MPFR_RNDU);
+    double ulp = value > 0.0 ? ldexp(1.0, ilogb(value) + 1 - bits) : 0.0;
+    double least = fmax(8.0 * ulp, bits == BITS_SINGLE ? fmax(1e-5 * value, 1e-6) : 0.0);
+    return fmax(least, moved);
+}
+
+static void print_answers(FILE *to, const struct exact_function *f, const double *row)
+{
+    static const int bits[] = {BITS_DOUBLE, BITS_SINGLE};
+    mpfr_t in[EXACT_IN_MAX], out[2][EXACT_OUT_MAX], moves[2][EXACT_OUT_MAX];
+    for (size_t i = 0; i < f->n_in; i++)
+        mpfr_init(in[i]);
+    for (size_t k = 0; k < 2 * f->n_out; k++)
+        mpfr_inits(out[k % 2][k / 2], moves[k % 2][k / 2], (mpfr_ptr)0);
+    for (int p = 0; p < 2; p++) {
+        for (size_t i = 0; i < f->n_in; i++)
+            set_argument(in[i], f, i, row[i], bits[p]);
+        f->evaluate(out[p], in);
+        add_moves(f, in, out[p], moves[p], bits[p]);
+    }
+    for (size_t k = 0; k < f->n_out; k++) {
+        for (int p = 0; p < 2; p++) {
+            if (!mpfr_number_p(out[p][k]))
+                stop("an answer that is not finite", "arguments within the function's range");
+            /* Without the sign of zero, which no bound asks for. */
+            if (mpfr_zero_p(out[p][k]))
+                mpfr_set_zero(out[p][k], 1);
+            mpfr_fprintf(to, "%.*Re\t%.3g\t", DIGITS - 1, out[p][k], bound(out[p][k], moves[p][k], bits[p]));
+        }
+    }
+    for (size_t i = 0; i < f->n_in; i++)
+        mpfr_clear(in[i]);
+    for (size_t k = 0; k < 2 * f->n_out; k++)
+        mpfr_clears(out[k % 2][k / 2], moves[k % 2][k / 2], (mpfr_ptr)0);
+}
+
+/* ---- Files ---- */
+
+static const struct exact_function *find_function(void)
+{
+    const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    size_t length = strcspn(name, ".");
+    for (size_t i = 0; i < exact_n_functions; i++)
+        if (strlen(exact_functions[i].name) == length && strncmp(exact_functions[i].name, name, length) == 0)
+            return &exact_functions[i];
+    stop(name, "a name of exact_table.c and .tsv");
+    return NULL;
+}
+
+static size_t split(char *field[], char *line)
+{
+    size_t n = 0;
+    line[strcspn(line, "\r\n")] = '\0';
+    for (char *at = line; at; n++) {
+        if (n == FIELDS_MAX)
+            stop("more columns", "arguments, answers and why");
+        field[n] = at;
+        at = strchr(at, '\t');
+        if (at)
+            *at++ = '\0';
+    }
+    return n;
+}
+
+static void write_header(FILE *to, const struct exact_function *f, char *field[])
+{
+    for (size_t i = 0; i < f->n_in; i++)
+        fprintf(to, "%s\t", field[i]);
+    for (size_t k = 0; k < f->n_out; k++)
+        fprintf(to, "%s\t%s_bound\t%s_single\t%s_single_bound\t", f->out[k], f->out[k], f->out[k], f->out[k]);
+    fputs("why\n", to);
+}
+
+static void write_row(FILE *to, const struct exact_function *f, char *field[], size_t n)
+{
+    double row[EXACT_IN_MAX];
+    if (n != f->n_in + 1 && n != f->n_in + 4 * f->n_out + 1)
+        stop("another number of columns", "the arguments and why, or these and the answers between them");
+    for (size_t i = 0; i < f->n_in; i++) {
+        char *end = field[i];
+        row[i] = strcmp(field[i], "-") == 0 ? NAN : strtod(field[i], &end);
+        if (!isnan(row[i]) && (end == field[i] || *end != '\0' || isinf(row[i])))
+            stop(field[i], "a finite number, or - for an argument that is left out");
+        fprintf(to, "%s\t", field[i]);
+    }
+    if (field[n - 1][0] == '\0')
+        stop("nothing", "why the row is hard");
+    print_answers(to, f, row);
+    fprintf(to, "%s\n", field[n - 1]);
+}
+
+/* The file as it should be. */
+static char *rewrite(FILE *from, size_t *size)
+{
+    const struct exact_function *f = find_function();
+    char *made = NULL, *line = NULL, *field[FIELDS_MAX];
+    size_t room = 0;
+    bool header = true;
+    FILE *to = open_memstream(&made, size);
+    if (!to)
+        stop("no memory", "some");
+    for (line_number = 1; getline(&line, &room, from) >= 0; line_number++) {
+        if (line[0] == '#' || line[0] == '\n') {
+            fputs(line, to);
+            continue;
+        }
+        size_t n = split(field, line);
+        if (header && n <= f->n_in)
+            stop("fewer columns", "a header: the arguments' names and why");
+        if (header)
+            write_header(to, f, field);
+        else
+            write_row(to, f, field, n);
+        header = false;
+    }
+    free(line);
+    if (fclose(to) != 0)
+        stop("no memory", "some");
+    return made;
+}
+
+static bool same_as(FILE *from, const char *made, size_t size)
+{
+    rewind(from);
+    size_t i = 0;
+    int c;
+    while ((c = getc(from)) != EOF && i < size && (char)c == made[i])
+        i++;
+    return c == EOF && i == size;
+}
+
+int main(int argc, char **argv)
+{
+    bool check = argc > 1 && strcmp(argv[1], "--check") == 0;
+    int status = 0;
+    if (argc < 2 + check) {
+        fputs("usage: exact [--check] tests/hard/NAME.tsv...\n", stderr);
+        return 2;
+    }
+    mpfr_set_default_prec(EXACT_BITS);
+    for (int i = 1 + check; i < argc; i++) {
+        path = argv[i];
+        line_number = 0;
+        FILE *from = fopen(path, "r");
+        if (!from)
+            stop(strerror(errno), "a file");
+        size_t size;
+        char *made = rewrite(from, &size);
+        bool same = same_as(from, made, size);
+        fclose(from);
+        if (check && !same) {
+            fprintf(stderr, "%s: its answers are not what `make hard-answers` writes\n", path);
+            status = 1;
+        } else if (!same) {
+            FILE *to = fopen(path, "w");
+            if (!to || fwrite(made, 1, size, to) != size || fclose(to) != 0)
+                stop(strerror(errno), "a file that can be written");
+        }
+        free(made);
+    }
+    mpfr_free_cache();
+    return status;
+}

@@ -1,0 +1,36 @@
+/* Exact answers for the catalogue of hard cases, from MPFR with EXACT_BITS bits.
+ *
+ * One row of exact_functions for each file tests/hard/NAME.tsv; NAME is the probe's. Formulas are written here anew, from their sources,
+ * as plainly as the precision allows: nothing of src/ is included, so that no mistake is made twice. To add a function, write it in an
+ * exact_*.c, declare it below and give it a row in exact_table.c.
+ */
+#ifndef RL_TESTS_HARD_EXACT_H
+#define RL_TESTS_HARD_EXACT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h> /* first: mpfr.h declares its output functions only then */
+
+#include <mpfr.h>
+
+/* 120 digits: the worst cancellation of the catalogue is that of R_r = 1e12, some 50 digits in formulas written plainly. */
+enum { EXACT_BITS = 400, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9 };
+
+struct exact_function {
+    const char *name;
+    size_t n_in, n_out;
+    size_t n_directions; /* triples that begin the arguments, of which only the direction counts */
+    const char *out[EXACT_OUT_MAX];
+    /* An argument that was left out is NaN. Arguments may lie a few units in the last place beyond their range. */
+    void (*evaluate)(mpfr_t out[], mpfr_t in[]);
+};
+
+extern const struct exact_function exact_functions[];
+extern const size_t exact_n_functions;
+
+/* exact_ellipsoid.c */
+void exact_ellipsoid_pdf(mpfr_t out[], mpfr_t in[]);
+void exact_ellipsoid_cdf(mpfr_t out[], mpfr_t in[]);
+void exact_ellipsoid_inverse(mpfr_t out[], mpfr_t in[]);
+
+#endif
