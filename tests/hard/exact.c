@@ -19,6 +19,7 @@
 #include "exact.h"
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,7 +100,8 @@ static void add_moves(const struct exact_function *f, mpfr_t in[], mpfr_t out[],
 static double bound(mpfr_t y, mpfr_t moves, int bits)
 {
     double value = fabs(mpfr_get_d(y, MPFR_RNDN)), moved = 2.0 * mpfr_get_d(moves, MPFR_RNDU);
-    double ulp = value > 0.0 ? ldexp(1.0, ilogb(value) + 1 - bits) : 0.0;
+    /* Down to the unit of denormal numbers; single precision has a wider bound there. */
+    double ulp = value > 0.0 ? fmax(ldexp(1.0, ilogb(value) + 1 - bits), DBL_TRUE_MIN) : DBL_TRUE_MIN;
     double least = fmax(8.0 * ulp, bits == BITS_SINGLE ? fmax(1e-5 * value, 1e-6) : 0.0);
     return fmax(least, moved);
 }
