@@ -136,6 +136,7 @@ static void round_row(float *to, const struct rl_probe *probe, const double *row
     size_t first = 3 * probe->n_vectors;
     for (size_t i = 0; i < first; i++)
         to[i] = (float)row[i];
+    rl_probe_round_directions(to, probe, row);
     probe->effect->pack(rl_probe_effect_values(probe, row), params);
     for (int i = 0; i < 4 * probe->effect->n_params; i++)
         to[first + (size_t)i] = (float)params[i / 4][i % 4];

@@ -55,19 +55,22 @@ static void list_modules(struct rl_plan_program *program, const struct rl_probe 
     snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "passes/probe");
 }
 
-/* Squares of single precision end at 1.8e19 and 1e-19: a direction is scaled to a largest component of 1 before it is rounded. */
+void rl_probe_round_directions(float *to, const struct rl_probe *probe, const double *row)
+{
+    for (size_t i = 0; i < probe->n_directions; i++) {
+        const double *d = row + 3 * i;
+        double most = fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2])));
+        int power = most > 1e-3 && most < 1e3 ? 0 : -ilogb(most);
+        for (size_t c = 0; c < 3; c++)
+            to[3 * i + c] = (float)scalbn(d[c], power);
+    }
+}
+
 static void round_row(float *to, const struct rl_probe *probe, const double *row)
 {
     for (size_t i = 0; i < probe->n_in; i++)
         to[i] = (float)row[i];
-    for (size_t i = 0; i < probe->n_directions; i++) {
-        const double *d = row + 3 * i;
-        double most = fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2])));
-        if (most > 1e-3 && most < 1e3)
-            continue;
-        for (size_t c = 0; c < 3; c++)
-            to[3 * i + c] = (float)(d[c] / most);
-    }
+    rl_probe_round_directions(to, probe, row);
 }
 
 /* Of a function of the model: one program does for all rows. */

@@ -72,6 +72,10 @@ void rl_probe_cpu(const struct rl_probe *probe, const double *rows, size_t n_row
 int rl_probe_gpu(const struct rl_probe *probe, struct rl_gpu *gpu, const double *rows, size_t n_rows,
                  double *results, struct rl_error *error);
 
+/* The directions that begin a row, in single precision. Its squares end at 1.8e19 and 1e-19: one whose largest component is beyond 1e-3
+ * to 1e3 is scaled to about 1 first, by a power of two, so that nothing but the rounding to 24 bits is lost. */
+void rl_probe_round_directions(float *to, const struct rl_probe *probe, const double *row);
+
 /* effect.c: the probe of an effect's function, of a direction or (polygon) of a polygon. False: it has none. */
 bool rl_probe_of_effect(struct rl_probe *probe, const struct rl_effect *effect, bool polygon);
 /* The values of the effect's parameters in a row. */
