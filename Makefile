@@ -222,7 +222,7 @@ grid = $(if $(QUICK),--quick)$(if $(FULL),--full)
 
 .PHONY: test report bench
 ## Build, and run every test, or those that T names
-test: all $(TEST_PROGRAMS)
+test: all $(TEST_PROGRAMS) $(BUILD)/tests/hard/exact
 	$(if $(TESTS),,$(if $(T),$(error no test is called '$(T)'; there are: \
 		$(call test_names,$(TEST_SOURCES) $(TEST_SCRIPTS)))))
 	@BUILD=$(BUILD) ROUGHLIGHT=$(BUILD)/roughlight .ci/run-tests $(TESTS)
