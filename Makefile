@@ -246,7 +246,11 @@ bench: all
 	@for table in accuracy_points accuracy_images accuracy_kernel bare; do cat $(BUILD)/tables/$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy" || $$7 == "bare"' $(BUILD)/tables/claims.tsv
 
-.PHONY: hard-answers
+.PHONY: hard hard-answers
+## The catalogue of hard cases against exact answers, in C and in GLSL: rows on stdout, exit 1 if one fails
+hard: all
+	@$(BUILD)/roughlight hard
+
 ## Write exact answers and bounds into the catalogue of hard cases (tests/hard/*.tsv), from MPFR
 hard-answers: $(BUILD)/tests/hard/exact
 	$(BUILD)/tests/hard/exact $(wildcard tests/hard/*.tsv)
@@ -329,6 +333,7 @@ install: all
 	$(call install_tree,studies/scenes,scenes)
 	$(call install_tree,studies/data,data)
 	$(call install_tree,plots,plots)
+	install -D -m 644 -t $(sharedir)/tests/hard $(wildcard tests/hard/*.tsv)
 	install -D -m 644 -t $(docdir) $(wildcard README.md) LICENSE
 
 ## Remove what install put there

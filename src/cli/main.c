@@ -12,13 +12,14 @@ extern const struct rl_command rl_command_plan;
 extern const struct rl_command rl_command_render;
 extern const struct rl_command rl_command_integrate;
 extern const struct rl_command rl_command_probe;
+extern const struct rl_command rl_command_hard;
 extern const struct rl_command rl_command_compare;
 extern const struct rl_command rl_command_illuminance;
 extern const struct rl_command rl_command_study;
 
 static const struct rl_command *const commands[] = {
-    &rl_command_info,  &rl_command_plan,    &rl_command_render,      &rl_command_integrate,
-    &rl_command_probe, &rl_command_compare, &rl_command_illuminance, &rl_command_study,
+    &rl_command_info, &rl_command_plan,    &rl_command_render,      &rl_command_integrate, &rl_command_probe,
+    &rl_command_hard, &rl_command_compare, &rl_command_illuminance, &rl_command_study,
 };
 
 enum { N_COMMANDS = sizeof commands / sizeof commands[0] };
