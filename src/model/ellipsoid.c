@@ -46,6 +46,9 @@ static double lower_cdf(const struct rl_ellipsoid *e, double s, double t)
     double kk = e->k * e->k;
     if (e->rr >= 1.0)
         return atan(e->k * t / (1.0 + kk * s)) / (2.0 * e->half_range);
+    /* Nothing cancels here, and U(0) is 1/2 to the bit, as U(-delta) = 1 - U(delta) has it. */
+    if (s <= 0.5)
+        return 0.5 - 0.5 * atanh(e->k * s) / e->half_range;
     /* atanh(k) - atanh(k s) = atanh(k t/d), d = 1 - k^2 s = t + R^2 s; atanh(x/d) = log1p(2x/(d - x))/2, where
      * d - x = t (1 - k) + R^2 s and 1 - k = R^2/(1 + k): sums of positive terms only. */
     double r2 = e->rr * e->rr;
