@@ -19,14 +19,18 @@ static inline double rl_fresnel(double n, double k, double c)
 {
     /* n^2 - s^2 by what cancels less. */
     double ss = (1.0 - c) * (1.0 + c), x = (n > 0.7 ? (n - 1.0) * (n + 1.0) + c * c : n * n - ss) - k * k;
-    double m = sqrt(x * x + 4.0 * n * n * k * k);
+    /* hypot: n = 1, c = 0 and a k whose square is no number any more reflect all. */
+    double nk = n * k, m = hypot(x, 2.0 * nk);
     /* The smaller of a^2 and b^2 as a quotient, for their product is (n k)^2 and their difference would cancel. */
-    double larger = 0.5 * (m + fabs(x)), smaller = larger > 0.0 ? n * n * k * k / larger : 0.0;
+    double larger = 0.5 * (m + fabs(x)), smaller = larger > 0.0 ? nk * (nk / larger) : 0.0;
     double a = sqrt(x >= 0.0 ? larger : smaller), bb = x >= 0.0 ? smaller : larger;
     double below = (a + c) * (a + c) + bb;
     if (!(below > 0.0))
         return 0.0;
-    double r_s = ((a - c) * (a - c) + bb) / below;
+    /* a^2 - c^2 = n^2 - 1 - k^2 + b^2: near n = 1 the difference of a and c, which is all that is reflected, cancels. */
+    double a_c =
+        x >= 0.0 && a < 2.0 * c && c < 2.0 * a ? ((n - 1.0) * (n + 1.0) - k * k + bb) / (a + c) : a - c;
+    double r_s = (a_c * a_c + bb) / below;
     double p_below = (a * c + ss) * (a * c + ss) + bb * c * c;
     double p = p_below > 0.0 ? ((a * c - ss) * (a * c - ss) + bb * c * c) / p_below : 1.0;
     return 0.5 * r_s * (1.0 + p);
