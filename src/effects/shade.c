@@ -1,15 +1,40 @@
 /* The sums over lights that turn effects into a colour (see effect.h). */
 #include "effects/effect.h"
 
-bool rl_incident_from_source(struct rl_incident *incident, const struct rl_source *source, rl_vec3 P)
+/* d/2^e and 4^e, e chosen so that the square of d is a number: below 1e-140 units and above 1e140 it would be 0, rough or infinite. */
+static double bring_near(rl_vec3 *d)
 {
-    rl_vec3 d = source->parallel ? source->at : v3_sub(source->at, P);
-    double r_r = source->parallel ? 1.0 : v3_dot(d, d);
+    double most = fmax(fabs(d->x), fmax(fabs(d->y), fabs(d->z)));
+    if (!(most > 0.0) || (most > 1e-140 && most < 1e140))
+        return 1.0;
+    int e = ilogb(most);
+    *d = v3(ldexp(d->x, -e), ldexp(d->y, -e), ldexp(d->z, -e));
+    return ldexp(1.0, e) * ldexp(1.0, e);
+}
+
+/* L and radiance to the light's side, and x/r^2 for each x of `strength`. False where there is no direction, or one of the x/r^2 is
+ * beyond the range of numbers: so near a light is where P is. */
+static bool arrive(struct rl_incident *incident, rl_vec3 d, const double strength[3])
+{
+    double unit = bring_near(&d), r_r = v3_dot(d, d);
     if (!(r_r > 0.0))
         return false;
     incident->L = v3_scale(1.0 / sqrt(r_r), d);
+    bool finite = true;
+    for (int c = 0; c < 3; c++) {
+        incident->irradiance[c] = strength[c] > 0.0 ? strength[c] / r_r / unit : 0.0;
+        finite = finite && isfinite(incident->irradiance[c]);
+    }
+    return finite;
+}
+
+bool rl_incident_from_source(struct rl_incident *incident, const struct rl_source *source, rl_vec3 P)
+{
+    if (!source->parallel)
+        return arrive(incident, v3_sub(source->at, P), source->strength);
+    incident->L = source->at;
     for (int c = 0; c < 3; c++)
-        incident->irradiance[c] = source->strength[c] / r_r;
+        incident->irradiance[c] = source->strength[c];
     return true;
 }
 
