@@ -1,0 +1,28 @@
+/* What tests of properties say and how: the first input that lacks a property is printed with all its digits, and counted rows and the
+ * worst of what was measured go to the log. Include after cmocka.h. */
+#ifndef RL_TESTS_HARD_PROPERTY_H
+#define RL_TESTS_HARD_PROPERTY_H
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+/* Half a unit in the last place of a value just above a power of two, relative to it. */
+#define ULP (0.5 * DBL_EPSILON)
+
+static inline void require_at(bool holds, const char *what, const double *in, size_t n, const char *file,
+                              int line)
+{
+    if (holds)
+        return;
+    print_error("not so: %s, at", what);
+    for (size_t i = 0; i < n; i++)
+        print_error(" %.17g", in[i]);
+    print_error("\n");
+    _fail(file, line);
+}
+
+/* `holds`, of the numbers `in`, which are printed where it does not. */
+#define require(holds, in, n) require_at(holds, #holds, in, n, __FILE__, __LINE__)
+
+#endif
