@@ -30,14 +30,15 @@ vec3 area_diffuse_area(Surface s, int first_vertex, int n, vec4 params[1])
         float cosine = dot(a, b);
         if (!(z_a > 0.0) || !(z_b > 0.0)) {
             bool up = !(z_a > 0.0);
-            vec3 crossing = abs(z_b) * a + abs(z_a) * b;
+            vec2 part = abs(vec2(z_b, z_a)) / (abs(z_a) + abs(z_b));
+            vec3 crossing = part.x * a + part.y * b;
             if (!crossed)
                 first = crossing;
             crossed = true;
             float y = dot(s.N, cross(first, crossing));
             float angle = angle_of(abs(y), dot(first, crossing));
             sum += up == y > 0.0 ? angle : -angle;
-            sine = abs(up ? z_b : z_a) * size;
+            sine = (up ? part.x : part.y) * size;
             cosine = dot(crossing, up ? b : a);
         }
         if (size > 0.0)

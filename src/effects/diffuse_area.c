@@ -17,10 +17,10 @@
  * Polygons of a closed mesh count half: a ray into a convex body meets two of its faces (src/scene/seen_lights.c). */
 #include "effects/lambert.h"
 
-/* The angle about N from a to b, both on the horizon. */
+/* The angle about N from a to b, both on the horizon. 0 where one of them is P itself: + 0.0, for atan2 makes pi of 0 and -0. */
 static double turn(rl_vec3 N, rl_vec3 a, rl_vec3 b)
 {
-    return atan2(v3_dot(N, v3_cross(a, b)), v3_dot(a, b));
+    return atan2(v3_dot(N, v3_cross(a, b)), v3_dot(a, b) + 0.0);
 }
 
 /* The signed sum over edges, twice the irradiance. */
@@ -43,14 +43,16 @@ static double edge_sum(const struct rl_surface *s, const rl_vec3 *vertex, int n)
             v3_cross(v3_dot(a, a) < v3_dot(b, b) ? a : b, v3_sub(vertex[i], vertex[i > 0 ? i - 1 : n - 1]));
         double size = v3_length(across), sine = size, cosine = v3_dot(a, b);
         if (!(z_a > 0.0) || !(z_b > 0.0)) {
-            /* Where the edge crosses the horizon, as a direction: both terms have one sign, and the angle's sine is not one of a difference,
-             * for (|z_b| a + |z_a| b) x b = |z_b| a x b. */
+            /* Where the edge crosses the horizon, (|z_b| a + |z_a| b)/(|z_a| + |z_b|): both terms have one sign, and the angle's sine is
+             * not one of a difference, for (|z_b| a + |z_a| b) x b = |z_b| a x b. The point and not its direction alone, whose products
+             * would leave the range of numbers where the light is large or small. */
             bool up = !(z_a > 0.0);
-            rl_vec3 crossing = v3_add(v3_scale(fabs(z_b), a), v3_scale(fabs(z_a), b));
+            double part_a = fabs(z_b) / (fabs(z_a) + fabs(z_b)), part_b = fabs(z_a) / (fabs(z_a) + fabs(z_b));
+            rl_vec3 crossing = v3_add(v3_scale(part_a, a), v3_scale(part_b, b));
             first = crossed ? first : crossing;
             crossed = true;
             sum += (up ? 1.0 : -1.0) * turn(s->N, first, crossing);
-            sine = (up ? fabs(z_b) : fabs(z_a)) * size;
+            sine = (up ? part_a : part_b) * size;
             cosine = v3_dot(crossing, up ? b : a);
         }
         if (size > 0.0)
