@@ -14,9 +14,9 @@ vec3 reflect_cook_torrance(Surface s, vec3 L, vec4 params[2])
         return vec3(0.0);
     vec3 H = sum / length_sum;
     vec3 across = cross(s.N, H);
-    float n_h = dot(s.N, H);
+    float n_h = min(1.0, (n_l + n_v) / length_sum);
     float v_h = min(1.0, 0.5 * length_sum);
     float d = facets(n_h, dot(across, across), params[0].w);
-    float g = min(v_h, 2.0 * n_h * min(n_v, n_l)) / (4.0 * v_h * n_v);
+    float g = min(0.25 / n_v, 0.5 * (n_h / v_h) * min(1.0, n_l / n_v));
     return fresnel(params[0].rgb, params[1].rgb, v_h) * (d * g);
 }

@@ -30,12 +30,13 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     if (!(n_l > 0.0) || !(n_v > 0.0) || !(length > 0.0))
         return;
     rl_vec3 H = v3_scale(1.0 / length, sum), across = v3_cross(s->N, H);
-    double n_h = v3_dot(s->N, H), v_h = fmin(1.0, 0.5 * length), m = params[0][3];
+    /* N.H as a sum of what is positive: N.H of a rounded H may be below 0 at grazing incidence. */
+    double n_h = fmin(1.0, (n_l + n_v) / length), v_h = fmin(1.0, 0.5 * length), m = params[0][3];
     double sin_sin = v3_dot(across, across);
     double d =
         params[1][3] == 0.0 ? rl_facets_beckmann(n_h, sin_sin, m) : rl_facets_ellipsoid(n_h, sin_sin, m);
-    /* D G / (4 N.V), G = min(1, 2 (N.H) min(N.V, N.L)/(V.H)): quotients of what goes to 0 together. */
-    double g = fmin(v_h, 2.0 * n_h * fmin(n_v, n_l)) / (4.0 * v_h * n_v);
+    /* G / (4 N.V), G = min(1, 2 (N.H) min(N.V, N.L)/(V.H)): quotients of what goes to 0 together, and no product of them. */
+    double g = fmin(0.25 / n_v, 0.5 * (n_h / v_h) * fmin(1.0, n_l / n_v));
     for (int c = 0; c < 3; c++)
         rgb[c] = rl_fresnel(params[0][c], params[1][c], v_h) * d * g;
 }
