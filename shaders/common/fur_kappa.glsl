@@ -3,5 +3,6 @@ float fur_kappa(vec3 n, vec3 l, vec3 e)
 {
     vec3 a = cross(n, l);
     vec3 b = cross(n, e);
-    return dot(a, b) / (max(length(a), 1e-4) * max(length(b), 1e-4));
+    // Rounding alone is clamped.
+    return clamp(dot(a, b) / (max(length(a), 1e-4) * max(length(b), 1e-4)), -1.0, 1.0);
 }

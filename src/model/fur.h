@@ -38,7 +38,9 @@ static inline double rl_fur_cone_printed(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
     rl_vec3 a = v3_cross(n, l), b = v3_cross(n, e);
-    return v3_dot(a, b) / (fmax(v3_length(a), RL_FUR_PARALLEL) * fmax(v3_length(b), RL_FUR_PARALLEL));
+    double kappa = v3_dot(a, b) / (fmax(v3_length(a), RL_FUR_PARALLEL) * fmax(v3_length(b), RL_FUR_PARALLEL));
+    /* A cosine rounded beyond 1 would take light away where all is reflected or all transmitted. */
+    return fmin(fmax(kappa, -1.0), 1.0);
 }
 
 #endif
