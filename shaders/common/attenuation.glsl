@@ -6,5 +6,7 @@
 // not be unit vectors.
 float attenuation(float n_h, float n_v, float n_l, float v_h)
 {
-    return v_h > 0.0 ? clamp(2.0 * n_h * max(min(n_v, n_l), 0.0) / v_h, 0.0, 1.0) : 0.0;
+    float least = min(n_v, n_l);
+    // A quotient first: the product of two small cosines is no number any more long before G is 0.
+    return v_h > 0.0 && least > 0.0 ? clamp(n_h / v_h * (2.0 * least), 0.0, 1.0) : 0.0;
 }

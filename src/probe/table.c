@@ -146,6 +146,7 @@ static const struct rl_probe probes[] = {
         .cpu = attenuation,
         .modules = {"common/attenuation"},
         .glsl = "    r[0] = attenuation(a[0], a[1], a[2], a[3]);\n",
+        .absolute = 1e-37,
         .relative = 1e-6,
     },
     {
