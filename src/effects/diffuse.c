@@ -18,4 +18,5 @@ const struct rl_effect rl_effect_diffuse = {
     .pack = rl_lambert_pack,
     .reflect = rl_lambert_reflect,
     .absolute = 1e-7,
+    .relative = 5e-7, /* of normals and directions that GLSL normalizes */
 };
