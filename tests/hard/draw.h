@@ -73,8 +73,9 @@ static inline double draw_neighbour(struct draw *d, double x)
 /* What the precision holds, and not outside of the range. */
 static inline double draw_rounded(const struct draw *d, double x, double low, double high)
 {
+    x = fmin(fmax(x, low), high);
     if (!d->single)
-        return fmin(fmax(x, low), high);
+        return x;
     float f = (float)x;
     /* Both directions of rounding may lead out. */
     if ((double)f > high)

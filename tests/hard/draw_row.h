@@ -33,7 +33,8 @@ static inline void draw_left_out(struct draw *d, const struct rl_probe *p, doubl
 /* A polygon's vertices: near the horizon, on it, near P, far away, or one beside the other. */
 static inline void draw_vertices(struct draw *d, double *row, size_t n_vectors)
 {
-    int reach = d->single ? 30 : 200; /* squares of areas are numbers */
+    /* Coordinates of scenes end at 1e9; in C squares of areas are numbers. */
+    int reach = d->single ? 20 : 200;
     double scale = draw_below(d, 2) ? 1.0 : draw_exponent(d, -reach, reach);
     for (size_t v = 2; v < n_vectors; v++) {
         const double *before = row + 3 * v - 3;

@@ -12,6 +12,7 @@
 
 #include "model/random.h"
 #include "probe/probe.h"
+#include "probe/rounding.h"
 #include "support/check.h"
 
 enum { RANDOM_ROWS = 10000, HARD_ROWS = 4000, ROWS = RANDOM_ROWS + HARD_ROWS };
@@ -142,34 +143,6 @@ static void print_row(const struct rl_probe *p, const double *row)
     print_error("\n");
 }
 
-/* What rounding of the arguments does to the C function: for each result the sum over the vectors' components of the change when one
- * moves by RL_PROBE_ROUNDING times the vector's length, and the same of numbers that the bound allows it for. */
-static void add_rounding(const struct rl_probe *p, const double *row, const double *value, double *allowed)
-{
-    double moved[RL_PROBE_IN_MAX], there[RL_PROBE_OUT_MAX];
-    memcpy(moved, row, p->n_in * sizeof *moved);
-    for (size_t i = 0; i < p->n_in; i++) {
-        bool vector = i < 3 * p->n_vectors;
-        if (!vector && !p->in[i].rounded)
-            continue;
-        const double *v = row + i - i % 3;
-        double length = vector ? sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) : fabs(row[i]);
-        double step = RL_PROBE_ROUNDING * length;
-        double change[RL_PROBE_OUT_MAX] = {0.0};
-        for (int sign = -1; sign <= 1; sign += 2) {
-            moved[i] = row[i] + sign * step;
-            if (!vector)
-                moved[i] = fmin(fmax(moved[i], p->in[i].low), p->in[i].high);
-            rl_probe_cpu(p, moved, 1, there);
-            for (size_t k = 0; k < p->n_out; k++)
-                change[k] = fmax(change[k], fabs(there[k] - value[k]));
-        }
-        moved[i] = row[i];
-        for (size_t k = 0; k < p->n_out; k++)
-            allowed[k] += change[k];
-    }
-}
-
 /* Of the random rows: the greatest value, difference and relative difference (of values above 0.001); of all rows: the greatest
  * difference that rounding of the arguments does not explain. */
 struct worst {
@@ -180,7 +153,7 @@ static void compare_row(struct worst *worst, const struct rl_probe *p, const dou
                         const double *shader, bool hard)
 {
     double rounding[RL_PROBE_OUT_MAX] = {0.0};
-    add_rounding(p, row, cpu, rounding);
+    rounding_add(p, row, cpu, rounding);
     for (size_t k = 0; k < p->n_out; k++) {
         double off = fabs(shader[k] - cpu[k]), value = fabs(cpu[k]);
         double allowed = p->absolute + p->relative * value + rounding[k];
