@@ -2,7 +2,7 @@
 //
 // params: k_a.
 
-vec3 constant_ambient(Surface s, vec4 params[1])
+vec3 constant_ambient(vec4 params[1])
 {
     return params[0].rgb;
 }

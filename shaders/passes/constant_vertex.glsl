@@ -17,6 +17,6 @@ void main()
 {
     world_position = position;
     world_normal = normal;
-    radiance = shade_effects(Surface(facet_centre, facet_normal, normalize(eye - facet_centre)));
+    radiance = shade_lights(Surface(facet_centre, facet_normal, normalize(eye - facet_centre)));
     gl_Position = clip_from_world * vec4(position, 1.0);
 }

@@ -18,7 +18,7 @@ void main()
     world_position = position;
     world_normal = normal;
     vec3 V = normalize(eye - facet_centre);
-    radiance = shade_effects(Surface(facet_centre, facet_normal, V));
-    radiance_behind = shade_effects(Surface(facet_centre, -facet_normal, V));
+    radiance = shade_lights(Surface(facet_centre, facet_normal, V));
+    radiance_behind = shade_lights(Surface(facet_centre, -facet_normal, V));
     gl_Position = clip_from_world * vec4(position, 1.0);
 }

@@ -15,6 +15,6 @@ void main()
 {
     world_position = position;
     world_normal = normal;
-    radiance = shade_effects(Surface(position, normalize(normal), normalize(eye - position)));
+    radiance = shade_lights(Surface(position, normalize(normal), normalize(eye - position)));
     gl_Position = clip_from_world * vec4(position, 1.0);
 }

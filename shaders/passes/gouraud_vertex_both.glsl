@@ -17,7 +17,7 @@ void main()
     world_normal = normal;
     vec3 N = normalize(normal);
     vec3 V = normalize(eye - position);
-    radiance = shade_effects(Surface(position, N, V));
-    radiance_behind = shade_effects(Surface(position, -N, V));
+    radiance = shade_lights(Surface(position, N, V));
+    radiance_behind = shade_lights(Surface(position, -N, V));
     gl_Position = clip_from_world * vec4(position, 1.0);
 }

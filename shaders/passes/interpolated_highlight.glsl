@@ -6,7 +6,7 @@ layout(location = 0) out vec4 colour;
 void main()
 {
     Surface s = surface_here();
-    vec3 rgb = interpolated_radiance();
+    vec3 rgb = shade_constants() + interpolated_radiance();
     if (dot(s.N, s.V) > 0.0)
         rgb += specular * highlight(s) * highlight_factor(s);
     colour = vec4(rgb, 1.0);

@@ -29,7 +29,7 @@ static void effect_rows(struct rl_rows *rows, const struct rl_scene *scene, cons
         const char *name = scene->material[m->material].name;
         for (size_t j = 0; j < m->n_effects; j++) {
             snprintf(detail, sizeof detail, "material %s%s", name,
-                     m->effect[j]->factor ? "" : evaluated[m->interpolation]);
+                     m->effect[j]->sees ? evaluated[m->interpolation] : "");
             row(rows, "effect", m->effect[j]->name, detail);
         }
         snprintf(detail, sizeof detail, "material %s", name);

@@ -8,9 +8,8 @@ static void pack(const double *value, double params[][4])
     params[0][3] = 0.0;
 }
 
-static void constant(const struct rl_surface *s, double params[][4], double rgb[3])
+static void constant(double params[][4], double rgb[3])
 {
-    (void)s;
     for (int i = 0; i < 3; i++)
         rgb[i] = params[0][i];
 }

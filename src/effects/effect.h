@@ -5,7 +5,9 @@
  * An effect has some of four functions; but for the last each returns RGB radiance towards the eye. In C they are members of the descriptor, and the GLSL
  * module defines those of them that there are, with K = n_params:
  *
- *     constant   vec3 constant_NAME(Surface s, vec4 params[K])                       of no light in particular
+ *     constant   vec3 constant_NAME(vec4 params[K])                                  of no light, the same at every point, so that each pixel
+ *                                                                                    has it as it is, however the others are
+ *                                                                                    interpolated; alone in its effect
  *     reflect    vec3 reflect_NAME(Surface s, vec3 L, vec4 params[K])                of light from direction L (unit), for an irradiance of
  *                                                                                    1 on a plane perpendicular to L
  *     area       vec3 area_NAME(Surface s, int first, int n, vec4 params[K])         of a polygon of radiance 1, given by its vertices
@@ -114,6 +116,13 @@ enum rl_effect_sees {
     RL_SEES_POLYGONS = 4   /* shaped lights as they are; with `area` */
 };
 
+/* Which of the functions an effect has. */
+enum rl_effect_gives {
+    RL_GIVES_CONSTANT = 1,  /* `constant` */
+    RL_GIVES_REFLECTED = 2, /* `reflect`, `area`: what is interpolated where a material asks for that */
+    RL_GIVES_FACTOR = 4     /* `factor` */
+};
+
 /* What an effect is a model of. Two effects of one material that are models of the same thing are an error. */
 enum rl_effect_role {
     RL_ROLE_DIFFUSE = 1,  /* diffuse reflection */
@@ -135,7 +144,7 @@ struct rl_effect {
     /* vec4 of its own that the functions get, made from the material's values. */
     int n_params;
     void (*pack)(const double *value, double params[][4]);
-    void (*constant)(const struct rl_surface *s, double params[][4], double rgb[3]);
+    void (*constant)(double params[][4], double rgb[3]);
     void (*reflect)(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3]);
     void (*area)(const struct rl_surface *s, const rl_vec3 *vertex, int n, double params[][4], double rgb[3]);
     void (*factor)(const struct rl_surface *s, double params[][4], double rgb[3]);
@@ -148,6 +157,8 @@ extern const size_t rl_n_effects;
 
 /* NULL if there is none of that name. */
 const struct rl_effect *rl_effect_find(const char *name);
+
+enum rl_effect_gives rl_effect_gives(const struct rl_effect *effect);
 
 /* Its row in rl_effects. */
 size_t rl_effect_row(const struct rl_effect *effect);

@@ -86,6 +86,13 @@ static void add_area(const struct sum *sum, const struct rl_area_light *light)
     }
 }
 
+enum rl_effect_gives rl_effect_gives(const struct rl_effect *effect)
+{
+    if (effect->constant)
+        return RL_GIVES_CONSTANT;
+    return effect->factor ? RL_GIVES_FACTOR : RL_GIVES_REFLECTED;
+}
+
 void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
                       const struct rl_surface *s, const struct rl_lights *lights, double rgb[3])
 {
@@ -96,7 +103,7 @@ void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double p
     for (size_t i = 0; i < n; i++) {
         if (!effects[i]->constant)
             continue;
-        effects[i]->constant(s, params[i], part);
+        effects[i]->constant(params[i], part);
         for (int c = 0; c < 3; c++)
             rgb[c] += part[c];
     }

@@ -9,15 +9,15 @@ static void call(FILE *out, const char *what, const struct rl_effect *effect, co
 {
     char name[32];
     rl_effect_identifier(name, effect);
-    fprintf(out, "%s_%s(%s, %s_params)", what, name, arguments, name);
+    fprintf(out, "%s_%s(%s%s%s_params)", what, name, arguments, *arguments ? ", " : "", name);
 }
 
-/* Of the effects that are factors, or of the others. */
-static void write_uniforms(FILE *out, const struct rl_plan_material *m, bool factors)
+/* `gives`: of which effects, enum rl_effect_gives. */
+static void write_uniforms(FILE *out, const struct rl_plan_material *m, unsigned gives)
 {
     for (size_t i = 0; i < m->n_effects; i++) {
         char name[32];
-        if (factors != (m->effect[i]->factor != NULL))
+        if (!(gives & rl_effect_gives(m->effect[i])))
             continue;
         rl_effect_identifier(name, m->effect[i]);
         fprintf(out, "uniform vec4 %s_params[%d];\n", name, m->effect[i]->n_params);
@@ -26,7 +26,7 @@ static void write_uniforms(FILE *out, const struct rl_plan_material *m, bool fac
 
 static void write_factor(FILE *out, const struct rl_plan_material *m)
 {
-    write_uniforms(out, m, true);
+    write_uniforms(out, m, RL_GIVES_FACTOR);
     fprintf(out, "vec3 highlight_factor(Surface s)\n{\n    return vec3(1.0)");
     for (size_t i = 0; i < m->n_effects; i++)
         if (m->effect[i]->factor) {
@@ -66,16 +66,19 @@ static void write_areas(FILE *out, const struct rl_plan_material *m)
     fprintf(out, "    }\n");
 }
 
-static void write_effects(FILE *out, const struct rl_plan_material *m)
+static void write_constants(FILE *out, const struct rl_plan_material *m)
 {
-    write_uniforms(out, m, false);
-    fprintf(out, "vec3 shade_effects(Surface s)\n{\n    vec3 rgb = vec3(0.0);\n");
+    fprintf(out, "    vec3 rgb = vec3(0.0);\n");
     for (size_t i = 0; i < m->n_effects; i++)
         if (m->effect[i]->constant) {
             fprintf(out, "    rgb += ");
-            call(out, "constant", m->effect[i], "s");
+            call(out, "constant", m->effect[i], "");
             fprintf(out, ";\n");
         }
+}
+
+static void write_lights(FILE *out, const struct rl_plan_material *m)
+{
     if (m->n_points > 0)
         write_incident(out, m, RL_SEES_SOURCES, "0", "N_POINTS", "from_point");
     if (m->n_parallels > 0)
@@ -83,7 +86,6 @@ static void write_effects(FILE *out, const struct rl_plan_material *m)
     if (m->sees & RL_SEES_CENTROIDS)
         write_incident(out, m, RL_SEES_CENTROIDS, "0", "N_LIGHTS", "from_centroid");
     write_areas(out, m);
-    fprintf(out, "    return rgb;\n}\n");
 }
 
 static bool has_fused_highlight(const struct rl_plan_material *m)
@@ -94,11 +96,35 @@ static bool has_fused_highlight(const struct rl_plan_material *m)
 static void write_surface(FILE *out, const struct rl_plan_material *m)
 {
     bool fused = has_fused_highlight(m);
-    write_effects(out, m);
+    write_uniforms(out, m, RL_GIVES_CONSTANT | RL_GIVES_REFLECTED);
+    fprintf(out, "vec3 shade_effects(Surface s)\n{\n");
+    write_constants(out, m);
+    write_lights(out, m);
+    fprintf(out, "    return rgb;\n}\n");
     if (fused)
         write_factor(out, m);
     fprintf(out, "vec3 shade_highlight(Surface s)\n{\n    return %s;\n}\n",
             fused ? "highlight(s) * highlight_factor(s)" : "vec3(0.0)");
+}
+
+/* Of a surface that is interpolated: what depends on the point, for the vertex shader. */
+static void write_at_vertices(FILE *out, const struct rl_plan_material *m)
+{
+    write_uniforms(out, m, RL_GIVES_REFLECTED);
+    fprintf(out, "vec3 shade_lights(Surface s)\n{\n    vec3 rgb = vec3(0.0);\n");
+    write_lights(out, m);
+    fprintf(out, "    return rgb;\n}\n");
+}
+
+/* And what does not, for the fragment shader: even a constant varying changes a little on its way through the interpolation. */
+static void write_at_pixels(FILE *out, const struct rl_plan_material *m)
+{
+    write_uniforms(out, m, RL_GIVES_CONSTANT);
+    fprintf(out, "vec3 shade_constants()\n{\n");
+    write_constants(out, m);
+    fprintf(out, "    return rgb;\n}\n");
+    if (has_fused_highlight(m))
+        write_factor(out, m);
 }
 
 static int write(char **text, void (*part)(FILE *, const struct rl_plan_material *),
@@ -122,9 +148,8 @@ int rl_glue_make(struct rl_glue *glue, const struct rl_plan_material *m, int pro
     if (program == m->surface_program && m->interpolation == RL_INTERPOLATION_PHONG)
         return write(&glue->fragment, write_surface, m, error);
     if (program == m->surface_program) {
-        int status = write(&glue->vertex, write_effects, m, error);
-        return status == RL_OK && has_fused_highlight(m) ? write(&glue->fragment, write_factor, m, error)
-                                                         : status;
+        int status = write(&glue->vertex, write_at_vertices, m, error);
+        return status == RL_OK ? write(&glue->fragment, write_at_pixels, m, error) : status;
     }
     return program == m->highlight_program ? write(&glue->fragment, write_factor, m, error) : RL_OK;
 }

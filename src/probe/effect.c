@@ -56,8 +56,10 @@ static void shade(const struct rl_probe *probe, const double *in, double *out)
         effect->area(&s, v, 3, params, out);
     else if (effect->reflect)
         effect->reflect(&s, v3_normalize(v[0]), params, out);
+    else if (effect->constant)
+        effect->constant(params, out);
     else
-        (effect->constant ? effect->constant : effect->factor)(&s, params, out);
+        effect->factor(&s, params, out);
 }
 
 bool rl_probe_of_effect(struct rl_probe *probe, const struct rl_effect *effect, bool polygon)
@@ -96,16 +98,17 @@ static char *write_glue(const struct rl_probe *probe)
     const struct rl_effect *effect = probe->effect;
     char name[32], *glue = NULL;
     int k = effect->n_params, first = (int)(3 * probe->n_vectors);
-    const char *what = effect->factor ? "factor" : "constant", *light = "", *fill = "";
+    const char *what = effect->factor ? "factor" : "constant", *fill = "";
+    const char *arguments = effect->factor ? "s, " : "";
     rl_effect_identifier(name, effect);
     if (probe->polygon) {
         what = "area";
-        light = ", 0, 3";
+        arguments = "s, 0, 3, ";
         fill = "    for (int i = 0; i < 3; i++)\n"
                "        vertices[i] = vec3(a[6 + 3 * i], a[7 + 3 * i], a[8 + 3 * i]);\n";
     } else if (effect->reflect) {
         what = "reflect";
-        light = ", normalize(vec3(a[6], a[7], a[8]))";
+        arguments = "s, normalize(vec3(a[6], a[7], a[8])), ";
     }
     int n = asprintf(&glue,
                      "void evaluate(float a[N_IN], out float r[N_OUT])\n{\n"
@@ -114,8 +117,8 @@ static char *write_glue(const struct rl_probe *probe)
                      "        params[i] = vec4(a[%d + 4 * i], a[%d + 4 * i], a[%d + 4 * i], a[%d + 4 * i]);\n"
                      "    Surface s = Surface(vec3(0.0), normalize(vec3(a[0], a[1], a[2])),\n"
                      "                        normalize(vec3(a[3], a[4], a[5])));\n"
-                     "%s    vec3 rgb = %s_%s(s%s, params);\n    r = float[](rgb.r, rgb.g, rgb.b);\n}\n",
-                     k, k, first, first + 1, first + 2, first + 3, fill, what, name, light);
+                     "%s    vec3 rgb = %s_%s(%sparams);\n    r = float[](rgb.r, rgb.g, rgb.b);\n}\n",
+                     k, k, first, first + 1, first + 2, first + 3, fill, what, name, arguments);
     return n < 0 ? NULL : glue;
 }
 

@@ -27,15 +27,6 @@ static bool plans_effect(const struct rl_plan *plan, const struct rl_plan_materi
                                : rl_effect_given(material, effect) != NULL;
 }
 
-/* Whether any effect gives radiance: a factor on the highlight is always the pixel's. */
-static bool has_shading(const struct rl_plan_material *m)
-{
-    for (size_t i = 0; i < m->n_effects; i++)
-        if (!m->effect[i]->factor)
-            return true;
-    return false;
-}
-
 /* What the material itself says, with the settings' overrides. */
 static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan,
                           const struct rl_scene *scene, int index)
@@ -69,7 +60,8 @@ static void plan_material(struct rl_plan_material *m, const struct rl_plan *plan
         m->effect[m->n_effects++] = effect;
         m->sees |= effect->sees & there;
     }
-    if (has_shading(m))
+    /* What sees no light is the pixel's: constants, and factors on the highlight. */
+    if (m->sees)
         m->interpolation = settings->interpolation == RL_INTERPOLATION_OF_MATERIAL
                                ? material->interpolation
                                : (enum rl_interpolation)settings->interpolation;

@@ -33,7 +33,7 @@ struct rl_plan_material {
     int samples;
     size_t n_effects;
     const struct rl_effect *effect[RL_PLAN_EFFECTS_MAX];
-    enum rl_interpolation interpolation; /* phong where no effect is there to be interpolated */
+    enum rl_interpolation interpolation; /* phong where no effect sees a light */
     unsigned sees;                       /* enum rl_effect_sees: what of the scene's lights its effects see */
     int n_point_lights;                  /* 0 if nothing of this material asks for them */
     int n_points, n_parallels;           /* point and parallel lights that its effects see */

@@ -80,19 +80,19 @@ static bool has_own_pass(const struct rl_method *method)
     return method->sampled || method->needs_environment || method->needs_normal_map || method->needs_pattern;
 }
 
-/* Those that are factors on the highlight, or the others. */
+/* `gives`: which of them, enum rl_effect_gives. */
 static void add_effects(struct rl_plan_program *program, const struct rl_scene *scene,
-                        const struct rl_plan_material *m, bool factors)
+                        const struct rl_plan_material *m, unsigned gives)
 {
     for (size_t i = 0; i < m->n_effects; i++)
-        if (factors == (m->effect[i]->factor != NULL))
+        if (gives & rl_effect_gives(m->effect[i]))
             rl_plan_add_effect(program, m->effect[i],
                                rl_effect_given(&scene->material[m->material], m->effect[i]));
 }
 
-/* The effects that give radiance, and the lights that they see. */
+/* The effects that give radiance, or the part of them that is asked for, and the lights that they see. */
 static void add_shading(struct rl_plan_program *program, const struct rl_scene *scene,
-                        const struct rl_plan_material *m, bool point_lights)
+                        const struct rl_plan_material *m, bool point_lights, unsigned gives)
 {
     if (point_lights)
         add_module(program, "common", "lights");
@@ -108,7 +108,7 @@ static void add_shading(struct rl_plan_program *program, const struct rl_scene *
         add_module(program, "common", "centroids");
     if (m->sees & RL_SEES_POLYGONS)
         add_module(program, "common", "polygons");
-    add_effects(program, scene, m, false);
+    add_effects(program, scene, m, gives);
 }
 
 /* By interpolation, and whether back faces are seen too, which have a shading of their own. */
@@ -121,20 +121,22 @@ static const struct {
                                    {"radiance_flat", "radiance_flat_both"}},
 };
 
-/* The effects in the vertex shader, and the highlight, if it is drawn together with them, in the fragment shader. */
+/* The effects in the vertex shader; in the fragment shader those that are the same everywhere, which would not come through the
+ * interpolation as they are, and the highlight, if it is drawn together with them. */
 static void add_interpolated(struct rl_plan_program *program, const struct rl_plan *plan,
                              const struct rl_scene *scene, const struct rl_plan_material *m, bool fused)
 {
     bool both = !plan->settings.culling;
     add_module(program, "common", "surface");
-    add_shading(program, scene, m, m->sees & RL_SEES_CENTROIDS);
+    add_shading(program, scene, m, m->sees & RL_SEES_CENTROIDS, RL_GIVES_REFLECTED);
     end_vertex_shader(program, interpolated[m->interpolation].vertex[both]);
     add_module(program, "common", interpolated[m->interpolation].between[both]);
+    add_effects(program, scene, m, RL_GIVES_CONSTANT);
     if (fused) {
         add_visible_modules(program, plan);
         if (m->method->needs_point_lights)
             add_module(program, "common", "lights");
-        add_effects(program, scene, m, true);
+        add_effects(program, scene, m, RL_GIVES_FACTOR);
         add_module(program, "methods", m->method->name);
     }
     add_module(program, "passes", fused ? "interpolated_highlight" : "interpolated");
@@ -150,9 +152,9 @@ static int surface_program(struct rl_plan *plan, const struct rl_scene *scene,
         return add_program(plan, &program);
     }
     add_object_modules(&program, plan);
-    add_shading(&program, scene, m, m->n_point_lights > 0);
+    add_shading(&program, scene, m, m->n_point_lights > 0, RL_GIVES_CONSTANT | RL_GIVES_REFLECTED);
     if (fused)
-        add_effects(&program, scene, m, true);
+        add_effects(&program, scene, m, RL_GIVES_FACTOR);
     if (fused)
         add_module(&program, "methods", m->method->name);
     add_module(&program, "passes", "surface");
@@ -182,7 +184,7 @@ static int highlight_program(struct rl_plan *plan, const struct rl_scene *scene,
         add_module(&program, "common", "normal_map");
     if (m->method->needs_pattern)
         add_module(&program, "common", "pattern");
-    add_effects(&program, scene, m, true);
+    add_effects(&program, scene, m, RL_GIVES_FACTOR);
     add_module(&program, "methods", m->method->name);
     add_module(&program, "passes", "highlight");
     return add_program(plan, &program);

@@ -58,6 +58,11 @@ static void test_descriptors(void **state)
         assert_in_range(e->n_params, 1, RL_EFFECT_PARAMS);
         assert_true(e->constant || e->reflect || e->area || e->factor);
         assert_true(!e->factor || !(e->constant || e->reflect || e->area));
+        assert_true(!e->constant || !(e->reflect || e->area));
+        assert_int_equal(rl_effect_gives(e), e->constant ? RL_GIVES_CONSTANT
+                                             : e->factor ? RL_GIVES_FACTOR
+                                                         : RL_GIVES_REFLECTED);
+        assert_true((e->sees != 0) == (rl_effect_gives(e) == RL_GIVES_REFLECTED));
         assert_int_equal(!e->sees, !e->reflect && !e->area);
         assert_true(e->absolute >= 0.0 && e->relative >= 0.0 && e->absolute + e->relative > 0.0);
         for (; e->param[n].help; n++) {
@@ -112,7 +117,7 @@ static void test_unwanted_is_black(void **state)
         assert_false(rl_effect_wanted(&material, e));
         e->pack(value, params);
         if (e->constant)
-            e->constant(&grazing, params, rgb);
+            e->constant(params, rgb);
         check_rgb(rgb, 0.0, 0.0, 0.0);
         if (e->reflect)
             e->reflect(&grazing, L, params, rgb);

@@ -112,6 +112,8 @@ static void test_any_scene(void **state)
         settings.attenuation = uniform(0.0, 1.0) < 0.7;
         settings.margin_kind = uniform(0.0, 1.0) < 0.3 ? RL_MARGIN_VALUE : RL_MARGIN_OFF;
         settings.margin = 0.3;
+        settings.culling = uniform(0.0, 1.0) < 0.7;
+        settings.interpolation = (int)below(RL_INTERPOLATIONS);
         check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
         drops += plan.n_drops;
         rl_plan_clear(&plan);

@@ -203,6 +203,53 @@ static void test_dark_floor(void **state)
     fixture_end(&scene);
 }
 
+/* Where light from below the floor is all there is, ambient light is left, which no interpolation may change by a bit. */
+static void test_nothing_but_constants(void **state)
+{
+    (void)state;
+    static const char *const effects[] = {"diffuse", "goldman-printed"};
+    static const char *const methods[] = {NULL, "plain", "random"};
+    enum { BELOW, DARK, ZERO, WAYS };
+    for (int k = 0; k < RL_INTERPOLATIONS * WAYS * 2 * 3 * 2; k++) {
+        struct rl_error error;
+        struct rl_scene scene;
+        struct rl_plan plan;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        const int way = k / RL_INTERPOLATIONS % WAYS;
+        const char *effect = effects[k / (RL_INTERPOLATIONS * WAYS) % 2];
+        settings.interpolation = k % RL_INTERPOLATIONS;
+        settings.culling = k / (RL_INTERPOLATIONS * WAYS * 2 * 3) == 0;
+        settings.env_size = 32;
+        settings.normal_size = 64;
+        fixture_begin(&scene, 64, 48);
+        fixture_camera(&scene, v3(0.3, 2.0, 5.0), v3(0.1, 0.0, 0.0), 30.0);
+        int floor =
+            fixture_material(&scene, 20.0, 0.07, 0.0, 0.8, methods[k / (RL_INTERPOLATIONS * WAYS * 2) % 3]);
+        scene.material[floor].name = "floor";
+        if (effect != effects[0]) /* nothing else that could make a zero positive */
+            memset(scene.material[floor].effect, 0, sizeof scene.material[floor].effect);
+        double *value = rl_effect_give(&scene.material[floor], rl_effect_find(effect));
+        for (int c = 0; c < (effect == effects[0] ? 3 : 6); c++)
+            value[c] = way == ZERO ? 0.0 : 0.7;
+        if (effect != effects[0])
+            value[7] = 0.5; /* c */
+        fixture_object(&scene, RL_SHAPE_PLANE, 4, 2.0, v3(0.0, 0.0, 0.0), floor);
+        scene.object[0].name = "floor";
+        double height = way == BELOW || effect != effects[0] ? -1.0 : 1.0, strength = way == DARK ? 0.0 : 3.0;
+        fixture_source(&scene, false, v3(1.0, -9.0, 1.0), strength, strength, 0.0);
+        fixture_source(&scene, true, v3(0.3, height, 0.2), 0.0, strength, strength);
+        scene.source[0].name = scene.source[1].name = "lamp";
+        check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+        if (way != BELOW || (effect == effects[0] && settings.culling)) { /* fur is lit from below, too */
+            assert_int_equal(plan.material[0].sees, 0);
+            assert_int_equal(plan.material[0].interpolation, RL_INTERPOLATION_PHONG);
+        }
+        rl_plan_clear(&plan);
+        fixture_check_drop(gpu, &scene, settings);
+        fixture_end(&scene);
+    }
+}
+
 /* Black by its factor, a highlight is as one without colour. */
 static void test_zero_factor(void **state)
 {
@@ -294,7 +341,7 @@ int main(void)
         cmocka_unit_test(test_same_bits),   cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_reasons),     cmocka_unit_test(test_dark_floor),
         cmocka_unit_test(test_zero_factor), cmocka_unit_test(test_dark_light),
-        cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_settings),    cmocka_unit_test(test_nothing_but_constants),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }

@@ -123,6 +123,7 @@ static void test_interpolation(void **state)
         for (int overridden = 0; overridden < 2; overridden++) {
             load(0, -1, NULL);
             struct rl_settings settings = scene.settings;
+            rl_effect_give_colour(&scene.material[0], "ambient", 0.1, 0.1, 0.1);
             if (overridden)
                 settings.interpolation = (int)rows[i].interpolation;
             else
@@ -140,13 +141,16 @@ static void test_interpolation(void **state)
                 at++;
             assert_int_equal(at < program->n_vertex, rows[i].interpolation != RL_INTERPOLATION_PHONG);
             assert_int_equal(count_modules(shiny->surface_program, "effects/diffuse"), 1);
+            /* What is the same everywhere is each pixel's. */
+            for (size_t k = 0; k < program->n_vertex; k++)
+                assert_string_not_equal(program->module[k], "effects/ambient");
+            assert_int_equal(count_modules(shiny->surface_program, "effects/ambient"), 1);
             /* The highlight's own pass is each pixel's. */
             const struct rl_plan_program *highlight = &plan.program[shiny->highlight_program];
             assert_int_equal(highlight->n_vertex, 1);
             assert_string_equal(highlight->module[0], "passes/object_vertex");
-            /* `matt` keeps its own: the scene's phong, or what is asked of all. */
-            assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->interpolation,
-                             overridden ? rows[i].interpolation : RL_INTERPOLATION_PHONG);
+            /* `matt` has no effect but ambient light, which is the same everywhere: nothing is interpolated, whatever is asked of all. */
+            assert_int_equal(rl_plan_of_object(&plan, &scene, 1)->interpolation, RL_INTERPOLATION_PHONG);
             clear();
         }
 }
