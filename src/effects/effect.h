@@ -137,6 +137,9 @@ struct rl_effect {
     unsigned roles;      /* enum rl_effect_role */
     bool
         below; /* light from below the horizon counts as well; else `reflect` is 0 where N.L <= 0, and `area` of what is there */
+    /* `reflect` can be below 0, as printed formulas have it. Where a light or a coefficient is 0 its term is -0, and its GLSL needs
+     * "common/positive_zero" among the modules: else dropping what gives nothing would change the sign of black. */
+    bool negative;
     const struct rl_effect_param *param;
     const char *modules[RL_EFFECT_MODULES_MAX]; /* what the GLSL module needs beside those of its choices */
     /* Combinations of values that make no sense: NULL, or what was expected, and at which key. NULL where there are none. */

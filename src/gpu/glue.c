@@ -88,6 +88,15 @@ static void write_lights(FILE *out, const struct rl_plan_material *m)
     write_areas(out, m);
 }
 
+/* The sum's end. */
+static void write_return(FILE *out, const struct rl_plan_material *m)
+{
+    bool negative = false;
+    for (size_t i = 0; i < m->n_effects; i++)
+        negative = negative || m->effect[i]->negative;
+    fprintf(out, "    return %s;\n}\n", negative ? "positive_zero(rgb)" : "rgb");
+}
+
 static bool has_fused_highlight(const struct rl_plan_material *m)
 {
     return m->method && m->highlight_program < 0;
@@ -100,7 +109,7 @@ static void write_surface(FILE *out, const struct rl_plan_material *m)
     fprintf(out, "vec3 shade_effects(Surface s)\n{\n");
     write_constants(out, m);
     write_lights(out, m);
-    fprintf(out, "    return rgb;\n}\n");
+    write_return(out, m);
     if (fused)
         write_factor(out, m);
     fprintf(out, "vec3 shade_highlight(Surface s)\n{\n    return %s;\n}\n",
@@ -113,7 +122,7 @@ static void write_at_vertices(FILE *out, const struct rl_plan_material *m)
     write_uniforms(out, m, RL_GIVES_REFLECTED);
     fprintf(out, "vec3 shade_lights(Surface s)\n{\n    vec3 rgb = vec3(0.0);\n");
     write_lights(out, m);
-    fprintf(out, "    return rgb;\n}\n");
+    write_return(out, m);
 }
 
 /* And what does not, for the fragment shader: even a constant varying changes a little on its way through the interpolation. */

@@ -215,14 +215,15 @@ static void test_sources(void **state)
     check_near(rgb[0], sum / pi, 1e-14);
 }
 
-/* What `below` promises where it is not set: nothing of light at or below the horizon, nothing of a polygon there. */
+/* What `below` promises where it is not set: nothing of light at or below the horizon, nothing of a polygon there. And `negative`, where that
+ * is not set: nothing below 0. */
 static void test_below(void **state)
 {
     (void)state;
     for (size_t i = 0; i < rl_n_effects; i++) {
         const struct rl_effect *e = rl_effects[i];
         struct rl_material material = {0};
-        double params[RL_EFFECT_PARAMS][4], rgb[3], most = 0.0;
+        double params[RL_EFFECT_PARAMS][4], rgb[3], most = 0.0, least = 0.0;
         double *value = rl_effect_give(&material, e);
         for (size_t k = 0; k < rl_effect_values(e); k++)
             value[k] = isnan(value[k]) ? NAN : 0.5;
@@ -239,7 +240,9 @@ static void test_below(void **state)
             const struct rl_surface s = {.N = {0.0, 0.0, 1.0}, .V = {sin(0.011 * k), 0.0, cos(0.011 * k)}};
             e->reflect(&s, v3(r * cos(azimuth), r * sin(azimuth), height), params, rgb);
             most = fmax(most, fabs(rgb[0]));
+            least = fmin(least, rgb[0]);
         }
+        assert_true(e->negative == (least < 0.0));
         const rl_vec3 triangle[3] = {{1.0, 0.0, -1.0}, {-1.0, 1.0, -0.1}, {-1.0, -1.0, 0.0}};
         if (e->area) {
             e->area(&surface, triangle, 3, params, rgb);

@@ -203,7 +203,8 @@ static void test_dark_floor(void **state)
     fixture_end(&scene);
 }
 
-/* Where light from below the floor is all there is, ambient light is left, which no interpolation may change by a bit. */
+/* Where light from below the floor is all there is, ambient light is left, which no interpolation may change by a bit; and where a light or
+ * a coefficient is 0, terms below 0 times 0 are left out, which leave no sign. */
 static void test_nothing_but_constants(void **state)
 {
     (void)state;
