@@ -19,7 +19,7 @@ struct occluder {
 
 struct rl_occluders {
     const struct rl_scene *scene;
-    const struct rl_visible *visible;
+    const struct rl_shadow_rays *rays;
     struct occluder *object;
     size_t most_edges, most_triangles; /* of any object */
 };
@@ -85,7 +85,7 @@ static int find_passages(struct occluder *o, const struct rl_object *object, con
 }
 
 int rl_occluders_make(struct rl_occluders **out, const struct rl_scene *scene,
-                      const struct rl_visible *visible, struct rl_error *error)
+                      const struct rl_shadow_rays *rays, struct rl_error *error)
 {
     struct rl_occluders *o = calloc(1, sizeof *o);
     *out = NULL;
@@ -96,7 +96,7 @@ int rl_occluders_make(struct rl_occluders **out, const struct rl_scene *scene,
         return rl_fail_memory(error, "the shadows");
     }
     o->scene = scene;
-    o->visible = visible;
+    o->rays = rays;
     int status = RL_OK;
     for (size_t i = 0; i < scene->n_objects && status == RL_OK; i++) {
         const struct rl_object *object = &scene->object[i];
@@ -163,11 +163,11 @@ static bool may_hide(const struct rl_occluders_view *view, const struct cone *c)
     return false;
 }
 
-/* An edge from a to b, if it may matter. The angle of doubt: P, L and the vertices are rounded to float, and Embree computes with
- * them in float: some units in the last place of the larger over the distance. */
+/* An edge from a to b, if it may matter. The angle of doubt: of rays and edges in double precision, some units in the last place of
+ * the coordinates over the distance. */
 static bool add_edge(struct rl_occluders_view *view, rl_vec3 a, rl_vec3 b)
 {
-    const double unit = 0x1p-22;
+    const double unit = 0x1p-50;
     rl_vec3 from = v3_sub(a, view->P), to = v3_sub(b, view->P);
     rl_vec3 middle = v3_scale(0.5, v3_add(from, to));
     double half = 0.5 * v3_length(v3_sub(to, from));
@@ -199,7 +199,7 @@ static bool see_object(struct rl_occluders_view *view, const struct occluder *o)
 static bool hidden(void *user, rl_vec3 L, double distance)
 {
     const struct rl_occluders_view *view = user;
-    return rl_visible_hidden(view->occluders->visible, view->own, view->P, L, distance);
+    return rl_shadow_rays_hidden(view->occluders->rays, view->own, view->P, L, distance);
 }
 
 static bool begin(struct rl_occluders_view *view, const struct rl_occluders *occluders,

@@ -3,7 +3,7 @@
  * An object never hides a light from itself. Its normals are interpolated, its triangles flat: near the terminator a triangle's
  * own neighbours would cut off light that the shading normal says is there.
  *
- *     rl_occluders_make(&occluders, scene, visible, &error);
+ *     rl_occluders_make(&occluders, scene, rays, &error);
  *     struct rl_occluders_view view = {0};                       one a thread
  *     if (rl_occluders_see(&view, occluders, &surface, object, attenuation) == RL_OCCLUDERS_SOME)
  *         options.occlusion = &view.occlusion;
@@ -14,7 +14,7 @@
 #define RL_REFERENCE_OCCLUDERS_H
 
 #include "reference/occlusion.h"
-#include "reference/visible.h"
+#include "reference/shadow_rays.h"
 
 struct rl_occluders;
 
@@ -33,9 +33,9 @@ enum rl_occluders_seen {
     RL_OCCLUDERS_NO_MEMORY
 };
 
-/* Both `scene` and `visible` must outlive it. */
+/* Both `scene` and `rays` must outlive it. */
 int rl_occluders_make(struct rl_occluders **out, const struct rl_scene *scene,
-                      const struct rl_visible *visible, struct rl_error *error);
+                      const struct rl_shadow_rays *rays, struct rl_error *error);
 void rl_occluders_free(struct rl_occluders *occluders);
 
 /* From a point of object `own`; attenuation: nothing below the point's horizon counts. Keeps `occluders`. */

@@ -2,8 +2,8 @@
  *
  * What is hidden can change at the silhouettes of the occluders alone. Their edges meet a line in closed form as the lights' own
  * edges do (lines.h), so a lit stretch is cut there, in double precision, and one ray through the middle of each part decides for
- * all of it: no search, and nothing thin is missed. A ray is in single precision. Where it passes so near to an edge that this
- * matters, its answer is doubted, and the part counts as error.
+ * all of it: no search, and nothing thin is missed. Where a ray passes so near to an edge that rounding may have it on the other
+ * side, its answer is doubted, and the part counts as error.
  *
  * Over theta the integrand breaks at the silhouette's corners too. Those of simple silhouettes are told in advance. The many of a
  * round body are weak but for those where it begins and ends as theta turns, and looks like the square root that a smooth body

@@ -38,7 +38,8 @@ struct job {
     struct rl_accuracy *reached;     /* per pixel */
     struct rl_visible *visible;
     struct rl_light_set *lights;
-    struct rl_occluders *occluders; /* NULL: no shadows */
+    struct rl_shadow_rays *rays;    /* NULL: no shadows */
+    struct rl_occluders *occluders; /* with rays */
     struct rl_occluders_view *view; /* with occluders: one a thread */
     int n_views;
     struct rl_lights seen;                /* by effects, and by methods that take points */
@@ -78,6 +79,7 @@ static void job_clear(struct job *job)
         rl_occluders_view_clear(&job->view[i]);
     free(job->view);
     rl_occluders_free(job->occluders);
+    rl_shadow_rays_free(job->rays);
     rl_visible_free(job->visible);
     rl_light_set_free(job->lights);
     rl_scene_lights_clear(&job->seen);
@@ -152,7 +154,9 @@ static int job_make(struct job *job, const struct rl_scene *scene, const struct 
     if (status == RL_OK)
         status = make_interpolated(job, threads, error);
     if (status == RL_OK && plan->settings.shadows)
-        status = rl_occluders_make(&job->occluders, scene, job->visible, error);
+        status = rl_shadow_rays_make(&job->rays, scene, error);
+    if (status == RL_OK && plan->settings.shadows)
+        status = rl_occluders_make(&job->occluders, scene, job->rays, error);
     if (status != RL_OK)
         job_clear(job);
     return status;

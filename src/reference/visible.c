@@ -42,19 +42,6 @@ static void filter_point(const struct RTCFilterFunctionNArguments *a)
     }
 }
 
-/* A ray of rl_visible_hidden: RTCIntersectContext must come first. */
-struct hidden_context {
-    struct RTCIntersectContext embree;
-    unsigned own;
-};
-
-static void skip_own(const struct RTCFilterFunctionNArguments *a)
-{
-    const struct hidden_context *context = (const struct hidden_context *)a->context;
-    if (((const struct RTCHit *)a->hit)->geomID == context->own)
-        a->valid[0] = 0;
-}
-
 static int attach_mesh(struct rl_visible *v, const struct rl_mesh *mesh, unsigned id, struct rl_error *error)
 {
     RTCGeometry geometry = rtcNewGeometry(v->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -66,7 +53,6 @@ static int attach_mesh(struct rl_visible *v, const struct rl_mesh *mesh, unsigne
         memcpy(positions, mesh->position, mesh->n_vertices * sizeof *mesh->position);
         memcpy(indices, mesh->triangle, mesh->n_triangles * sizeof *mesh->triangle);
         rtcSetGeometryIntersectFilterFunction(geometry, filter_point);
-        rtcSetGeometryOccludedFilterFunction(geometry, skip_own);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(v->world, geometry, id);
     }
@@ -233,22 +219,4 @@ bool rl_visible_point(struct rl_surface *surface, struct rl_visible_hit *hit,
                                    .weight = {1.0 - m.u - m.v, m.u, m.v},
                                    .from_behind = m.from_behind};
     return true;
-}
-
-bool rl_visible_hidden(const struct rl_visible *visible, size_t own, rl_vec3 P, rl_vec3 L, double distance)
-{
-    /* Short of the light by more than rounding to float may add. */
-    const double before = 1.0 - 1e-6;
-    struct hidden_context context = {.own = (unsigned)own};
-    rtcInitIntersectContext(&context.embree);
-    struct RTCRay ray = {.org_x = (float)P.x,
-                         .org_y = (float)P.y,
-                         .org_z = (float)P.z,
-                         .dir_x = (float)L.x,
-                         .dir_y = (float)L.y,
-                         .dir_z = (float)L.z,
-                         .tfar = (float)(before * distance),
-                         .mask = ~0u};
-    rtcOccluded1(visible->world, &context.embree, &ray);
-    return ray.tfar < 0.0f;
 }

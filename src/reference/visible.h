@@ -31,8 +31,4 @@ struct rl_visible_hit {
 bool rl_visible_point(struct rl_surface *surface, struct rl_visible_hit *hit,
                       const struct rl_visible *visible, rl_vec3 direction);
 
-/* Whether any object but `own` meets the ray from P in direction L (unit) nearer than this distance, from either side. In single
- * precision. */
-bool rl_visible_hidden(const struct rl_visible *visible, size_t own, rl_vec3 P, rl_vec3 L, double distance);
-
 #endif

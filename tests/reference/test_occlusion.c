@@ -21,7 +21,7 @@ struct world {
     struct rl_object object[2];
     struct rl_light light[LIGHTS_MAX + 1]; /* the last: the occluder in black */
     struct rl_polygon polygon[LIGHTS_MAX], black[TRIANGLES_MAX];
-    struct rl_visible *visible;
+    struct rl_shadow_rays *rays;
     struct rl_occluders *occluders;
     struct rl_light_set *lights, *with_black;
 };
@@ -78,8 +78,8 @@ static void world_make(struct world *w, const double (*lights)[4][3], size_t n_l
     }
     w->scene =
         (struct rl_scene){.n_objects = 2, .object = w->object, .n_lights = n_lights, .light = w->light};
-    check_ok(rl_visible_make(&w->visible, &w->scene, true, &error), &error);
-    check_ok(rl_occluders_make(&w->occluders, &w->scene, w->visible, &error), &error);
+    check_ok(rl_shadow_rays_make(&w->rays, &w->scene, &error), &error);
+    check_ok(rl_occluders_make(&w->occluders, &w->scene, w->rays, &error), &error);
     check_ok(rl_light_set_make(&w->lights, w->light, n_lights, &error), &error);
     check_ok(rl_light_set_make(&w->with_black, w->light, n_lights + 1, &error), &error);
 }
@@ -87,7 +87,7 @@ static void world_make(struct world *w, const double (*lights)[4][3], size_t n_l
 static void world_clear(struct world *w)
 {
     rl_occluders_free(w->occluders);
-    rl_visible_free(w->visible);
+    rl_shadow_rays_free(w->rays);
     rl_light_set_free(w->lights);
     rl_light_set_free(w->with_black);
     for (int i = 0; i < 2; i++)
