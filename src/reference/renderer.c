@@ -7,46 +7,12 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/clock.h"
 #include "base/machine.h"
-#include "reference/accuracy.h"
-#include "reference/interpolated.h"
-#include "reference/light_set.h"
-#include "reference/occluders.h"
-#include "reference/texel_map.h"
-#include "reference/visible.h"
+#include "reference/render_job.h"
 
 enum { TILE_PX = 16 };
-
-/* A material as the loop over pixels wants it: everything that does not depend on the pixel is worked out. */
-struct shader {
-    const struct rl_plan_material *plan;
-    const struct rl_material *material;
-    struct rl_ellipsoid ellipsoid;
-    double effect_params[RL_PLAN_EFFECTS_MAX][RL_EFFECT_PARAMS][4];
-    double method_params[RL_EFFECT_PARAMS][4];
-    bool integrates; /* the highlight is the integral itself */
-};
-
-struct job {
-    const struct rl_scene *scene;
-    const struct rl_plan *plan;
-    struct rl_image *image, *errors; /* errors: NULL if not wanted */
-    struct rl_accuracy *reached;     /* per pixel */
-    struct rl_visible *visible;
-    struct rl_light_set *lights;
-    struct rl_shadow_rays *rays;    /* NULL: no shadows */
-    struct rl_occluders *occluders; /* with rays */
-    struct rl_occluders_view *view; /* with occluders: one a thread */
-    int n_views;
-    struct rl_lights seen;                /* by effects, and by methods that take points */
-    struct shader *shader;                /* per plan material */
-    struct rl_texel_map **environment;    /* per object; NULL: its method needs none */
-    struct rl_interpolated *interpolated; /* per object */
-};
 
 /* Once over all pixels that are not done. */
 struct pass {
@@ -61,111 +27,11 @@ struct count {
     size_t lines, texels;
 };
 
-static void make_shader(struct shader *s, const struct rl_scene *scene, const struct rl_plan_material *m)
-{
-    s->plan = m;
-    s->material = &scene->material[m->material];
-    s->ellipsoid = rl_ellipsoid_make(m->rr);
-    for (size_t i = 0; i < m->n_effects; i++)
-        m->effect[i]->pack(rl_effect_given(s->material, m->effect[i]), s->effect_params[i]);
-    s->integrates = m->method && !m->method->shade;
-    if (m->method && m->method->pack)
-        m->method->pack(&s->ellipsoid, s->method_params);
-}
-
-static void job_clear(struct job *job)
-{
-    for (int i = 0; i < job->n_views; i++)
-        rl_occluders_view_clear(&job->view[i]);
-    free(job->view);
-    rl_occluders_free(job->occluders);
-    rl_shadow_rays_free(job->rays);
-    rl_visible_free(job->visible);
-    rl_light_set_free(job->lights);
-    rl_scene_lights_clear(&job->seen);
-    free(job->shader);
-    free(job->reached);
-    for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
-        rl_texel_map_free(job->environment[i]);
-    free(job->environment);
-    for (size_t i = 0; i < job->scene->n_objects && job->interpolated; i++)
-        rl_interpolated_clear(&job->interpolated[i]);
-    free(job->interpolated);
-}
-
-static int make_environments(struct job *job, struct rl_error *error)
-{
-    const struct rl_plan *plan = job->plan;
-    int status = RL_OK;
-    for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++)
-        if (plan->environment[i] >= 0)
-            status = rl_texel_map_make(&job->environment[i], job->lights, job->scene->object[i].centre,
-                                       plan->settings.env_size, error);
-    return status;
-}
-
-static const struct shader *shader_of(const struct job *job, size_t object)
-{
-    const struct rl_plan_material *m = rl_plan_of_object(job->plan, job->scene, object);
-    return &job->shader[m - job->plan->material];
-}
-
-static int make_interpolated(struct job *job, int threads, struct rl_error *error)
-{
-    int status = RL_OK;
-    for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++) {
-        if (!job->plan->object[i].drawn)
-            continue;
-        const struct shader *s = shader_of(job, i);
-        const struct rl_interpolated_shading shading = {
-            s->plan->effect, s->plan->n_effects,          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params,
-            &job->seen,      job->scene->camera.position, !job->plan->settings.culling};
-        status = rl_interpolated_make(&job->interpolated[i], &job->scene->object[i].mesh,
-                                      s->plan->interpolation, &shading, threads, error);
-    }
-    return status;
-}
-
-static int job_make(struct job *job, const struct rl_scene *scene, const struct rl_plan *plan,
-                    struct rl_image *image, struct rl_image *errors, int threads, struct rl_error *error)
-{
-    *job = (struct job){.scene = scene, .plan = plan, .image = image, .errors = errors};
-    if (plan->settings.shadows)
-        job->view = calloc((size_t)threads, sizeof *job->view);
-    job->n_views = job->view ? threads : 0;
-    job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
-    job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
-    job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
-    job->interpolated = calloc(scene->n_objects + 1, sizeof *job->interpolated);
-    if (!job->reached || !job->shader || !job->environment || !job->interpolated ||
-        (plan->settings.shadows && !job->view)) {
-        job_clear(job);
-        return rl_fail_memory(error, "the CPU renderer");
-    }
-    for (size_t i = 0; i < plan->n_materials; i++)
-        make_shader(&job->shader[i], scene, &plan->material[i]);
-    int status = rl_scene_lights_make(&job->seen, scene, error);
-    if (status == RL_OK)
-        status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
-    if (status == RL_OK)
-        status = rl_visible_make(&job->visible, scene, plan->settings.culling, error);
-    if (status == RL_OK)
-        status = make_environments(job, error);
-    if (status == RL_OK)
-        status = make_interpolated(job, threads, error);
-    if (status == RL_OK && plan->settings.shadows)
-        status = rl_shadow_rays_make(&job->rays, scene, error);
-    if (status == RL_OK && plan->settings.shadows)
-        status = rl_occluders_make(&job->occluders, scene, job->rays, error);
-    if (status != RL_OK)
-        job_clear(job);
-    return status;
-}
-
 /* The integral where other objects may hide the lights. A round body's silhouette has more corners than can all be told as breaks:
  * past a number of lines the error is left as it is. */
-static void integrate_shadowed(struct rl_estimate *estimate, const struct job *job, const struct shader *s,
-                               const struct rl_surface *surface, size_t object, const struct pass *pass)
+static void integrate_shadowed(struct rl_estimate *estimate, const struct rl_render_job *job,
+                               const struct rl_render_shader *s, const struct rl_surface *surface,
+                               size_t object, const struct pass *pass)
 {
     enum { LINES_MOST = 2000 };
     struct rl_integrate_options options = pass->options;
@@ -185,8 +51,8 @@ static void integrate_shadowed(struct rl_estimate *estimate, const struct job *j
 }
 
 /* L_o, its error where the integral gives one, and whether that is within the tolerance. */
-static void highlight(struct rl_estimate *estimate, struct count *count, const struct job *job,
-                      const struct shader *s, const struct rl_surface *surface, size_t object,
+static void highlight(struct rl_estimate *estimate, struct count *count, const struct rl_render_job *job,
+                      const struct rl_render_shader *s, const struct rl_surface *surface, size_t object,
                       const struct pass *pass)
 {
     *estimate = (struct rl_estimate){.converged = true};
@@ -214,7 +80,8 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
 }
 
 /* Writes a value, and how far off it may be: rounding to float is off by half a unit in the last place of either. */
-static void set_pixel(const struct job *job, int x, int y, const double rgb[3], const double error[3])
+static void set_pixel(const struct rl_render_job *job, int x, int y, const double rgb[3],
+                      const double error[3])
 {
     float *pixel = rl_image_pixel(job->image, x, y);
     for (int c = 0; c < 3; c++)
@@ -229,7 +96,7 @@ static void set_pixel(const struct job *job, int x, int y, const double rgb[3], 
 }
 
 /* The sum of the effects at the pixel's point, or what its triangle has of it. */
-static void shade(double rgb[3], const struct job *job, const struct shader *s,
+static void shade(double rgb[3], const struct rl_render_job *job, const struct rl_render_shader *s,
                   const struct rl_surface *surface, const struct rl_visible_hit *hit)
 {
     if (s->plan->interpolation != RL_INTERPOLATION_PHONG)
@@ -240,7 +107,8 @@ static void shade(double rgb[3], const struct job *job, const struct shader *s,
                          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, surface, &job->seen, rgb);
 }
 
-static void draw_pixel(const struct job *job, struct count *count, int x, int y, const struct pass *pass)
+static void draw_pixel(const struct rl_render_job *job, struct count *count, int x, int y,
+                       const struct pass *pass)
 {
     struct rl_accuracy *reached = &job->reached[(size_t)y * (size_t)job->image->width + (size_t)x];
     if (reached->done)
@@ -252,7 +120,7 @@ static void draw_pixel(const struct job *job, struct count *count, int x, int y,
         reached->done = true;
         return;
     }
-    const struct shader *s = shader_of(job, hit.object);
+    const struct rl_render_shader *s = rl_render_shader_of(job, hit.object);
     struct rl_estimate estimate;
     highlight(&estimate, count, job, s, &surface, hit.object, pass);
     double wanted = job->plan->settings.tolerance * job->lights->brightest;
@@ -270,7 +138,7 @@ static void draw_pixel(const struct job *job, struct count *count, int x, int y,
 }
 
 /* As far as the deadline lets it. */
-static void draw_tile(const struct job *job, struct count *count, int tile, const struct pass *pass)
+static void draw_tile(const struct rl_render_job *job, struct count *count, int tile, const struct pass *pass)
 {
     int across = (job->image->width + TILE_PX - 1) / TILE_PX;
     int x0 = tile % across * TILE_PX;
@@ -288,7 +156,7 @@ static int n_tiles(const struct rl_image *image)
     return (image->width + TILE_PX - 1) / TILE_PX * ((image->height + TILE_PX - 1) / TILE_PX);
 }
 
-static void draw_tiles(struct rl_render_stats *stats, const struct job *job, struct pass *pass,
+static void draw_tiles(struct rl_render_stats *stats, const struct rl_render_job *job, struct pass *pass,
                        const struct rl_progress *progress)
 {
     int tiles = n_tiles(job->image);
@@ -308,8 +176,8 @@ static void draw_tiles(struct rl_render_stats *stats, const struct job *job, str
     stats->texels += texels;
 }
 
-static void draw_passes(struct rl_render_stats *stats, const struct job *job, double start, double deadline,
-                        const struct rl_progress *progress)
+static void draw_passes(struct rl_render_stats *stats, const struct rl_render_job *job, double start,
+                        double deadline, const struct rl_progress *progress)
 {
     const struct rl_settings *settings = &job->plan->settings;
     double tolerance[RL_PASSES_MAX] = {settings->tolerance};
@@ -332,7 +200,7 @@ static void draw_passes(struct rl_render_stats *stats, const struct job *job, do
     }
 }
 
-static int draw(const struct job *job, struct rl_render_stats *stats, double start, double deadline,
+static int draw(const struct rl_render_job *job, struct rl_render_stats *stats, double start, double deadline,
                 const struct rl_progress *progress, struct rl_error *error)
 {
     draw_passes(stats, job, start, deadline, progress);
@@ -357,7 +225,7 @@ int rl_reference_render_within(struct rl_image *image, struct rl_render_stats *s
 {
     double start = rl_clock_seconds();
     double deadline = limits->max_seconds > 0.0 ? start + limits->max_seconds : INFINITY;
-    struct job job = {0};
+    struct rl_render_job job = {0};
     int width = plan->settings.width, height = plan->settings.height;
     *stats =
         (struct rl_render_stats){.threads = limits->threads > 0 ? limits->threads : rl_machine_threads()};
@@ -365,10 +233,10 @@ int rl_reference_render_within(struct rl_image *image, struct rl_render_stats *s
     if (status == RL_OK && limits->errors)
         status = rl_image_allocate(limits->errors, width, height, 4, error);
     if (status == RL_OK)
-        status = job_make(&job, scene, plan, image, limits->errors, stats->threads, error);
+        status = rl_render_job_make(&job, scene, plan, image, limits->errors, stats->threads, error);
     if (status == RL_OK) {
         status = draw(&job, stats, start, deadline, progress, error);
-        job_clear(&job);
+        rl_render_job_clear(&job);
     }
     stats->seconds = rl_clock_seconds() - start;
     if (status != RL_OK) {

@@ -1,0 +1,106 @@
+/* Sets the CPU renderer up (see render_job.h). */
+#include "reference/render_job.h"
+
+#include <stdlib.h>
+
+static void make_shader(struct rl_render_shader *s, const struct rl_scene *scene,
+                        const struct rl_plan_material *m)
+{
+    s->plan = m;
+    s->material = &scene->material[m->material];
+    s->ellipsoid = rl_ellipsoid_make(m->rr);
+    for (size_t i = 0; i < m->n_effects; i++)
+        m->effect[i]->pack(rl_effect_given(s->material, m->effect[i]), s->effect_params[i]);
+    s->integrates = m->method && !m->method->shade;
+    if (m->method && m->method->pack)
+        m->method->pack(&s->ellipsoid, s->method_params);
+}
+
+void rl_render_job_clear(struct rl_render_job *job)
+{
+    for (int i = 0; i < job->n_views; i++)
+        rl_occluders_view_clear(&job->view[i]);
+    free(job->view);
+    rl_occluders_free(job->occluders);
+    rl_shadow_rays_free(job->rays);
+    rl_visible_free(job->visible);
+    rl_light_set_free(job->lights);
+    rl_scene_lights_clear(&job->seen);
+    free(job->shader);
+    free(job->reached);
+    for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
+        rl_texel_map_free(job->environment[i]);
+    free(job->environment);
+    for (size_t i = 0; i < job->scene->n_objects && job->interpolated; i++)
+        rl_interpolated_clear(&job->interpolated[i]);
+    free(job->interpolated);
+}
+
+static int make_environments(struct rl_render_job *job, struct rl_error *error)
+{
+    const struct rl_plan *plan = job->plan;
+    int status = RL_OK;
+    for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++)
+        if (plan->environment[i] >= 0)
+            status = rl_texel_map_make(&job->environment[i], job->lights, job->scene->object[i].centre,
+                                       plan->settings.env_size, error);
+    return status;
+}
+
+const struct rl_render_shader *rl_render_shader_of(const struct rl_render_job *job, size_t object)
+{
+    const struct rl_plan_material *m = rl_plan_of_object(job->plan, job->scene, object);
+    return &job->shader[m - job->plan->material];
+}
+
+static int make_interpolated(struct rl_render_job *job, int threads, struct rl_error *error)
+{
+    int status = RL_OK;
+    for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++) {
+        if (!job->plan->object[i].drawn)
+            continue;
+        const struct rl_render_shader *s = rl_render_shader_of(job, i);
+        const struct rl_interpolated_shading shading = {
+            s->plan->effect, s->plan->n_effects,          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params,
+            &job->seen,      job->scene->camera.position, !job->plan->settings.culling};
+        status = rl_interpolated_make(&job->interpolated[i], &job->scene->object[i].mesh,
+                                      s->plan->interpolation, &shading, threads, error);
+    }
+    return status;
+}
+
+int rl_render_job_make(struct rl_render_job *job, const struct rl_scene *scene, const struct rl_plan *plan,
+                       struct rl_image *image, struct rl_image *errors, int threads, struct rl_error *error)
+{
+    *job = (struct rl_render_job){.scene = scene, .plan = plan, .image = image, .errors = errors};
+    if (plan->settings.shadows)
+        job->view = calloc((size_t)threads, sizeof *job->view);
+    job->n_views = job->view ? threads : 0;
+    job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
+    job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
+    job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
+    job->interpolated = calloc(scene->n_objects + 1, sizeof *job->interpolated);
+    if (!job->reached || !job->shader || !job->environment || !job->interpolated ||
+        (plan->settings.shadows && !job->view)) {
+        rl_render_job_clear(job);
+        return rl_fail_memory(error, "the CPU renderer");
+    }
+    for (size_t i = 0; i < plan->n_materials; i++)
+        make_shader(&job->shader[i], scene, &plan->material[i]);
+    int status = rl_scene_lights_make(&job->seen, scene, error);
+    if (status == RL_OK)
+        status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
+    if (status == RL_OK)
+        status = rl_visible_make(&job->visible, scene, plan->settings.culling, error);
+    if (status == RL_OK)
+        status = make_environments(job, error);
+    if (status == RL_OK)
+        status = make_interpolated(job, threads, error);
+    if (status == RL_OK && plan->settings.shadows)
+        status = rl_shadow_rays_make(&job->rays, scene, error);
+    if (status == RL_OK && plan->settings.shadows)
+        status = rl_occluders_make(&job->occluders, scene, job->rays, error);
+    if (status != RL_OK)
+        rl_render_job_clear(job);
+    return status;
+}
