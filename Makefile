@@ -209,6 +209,9 @@ $(BUILD)/tests/hard/exact: $(call object,$(EXACT_SOURCES)) $(EXTRA)
 # It plants normals of another R_r than was asked for.
 $(BUILD)/tests/studies/test_distribution: TEST_LIBS += -Wl,--wrap=rl_ellipsoid_make
 
+# It has a clock of its own.
+$(BUILD)/tests/measure/test_timing: TEST_LIBS += -Wl,--wrap=clock_gettime
+
 # Otherwise make would delete the tests' objects as intermediate files.
 .SECONDARY:
 

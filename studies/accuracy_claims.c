@@ -73,7 +73,7 @@ static int claim_ratio(const struct rl_judging *j)
     if (!ratio)
         return rl_fail_memory(j->error, "ratios of times");
     size_t n = uv_ratios(ratio, uv, reference);
-    struct rl_interval times = rl_median_interval(ratio, n, 0.95);
+    struct rl_interval times = rl_interval_from_0(rl_median_interval(ratio, n, 0.95));
     free(ratio);
     snprintf(c->note, sizeof c->note, "paired by point at the %zu of %zu points where it is right; on %.100s",
              n, points, j->run->provenance.cpu);
@@ -160,7 +160,8 @@ static bool growth(struct rl_interval *exponent, const struct rl_judging *j, con
     if (!a || !b)
         return false;
     const struct rl_series *x = rl_record_series(a, "time_us"), *y = rl_record_series(b, "time_us");
-    struct rl_interval times = rl_ratio_interval(y->value, x->value, x->n < y->n ? x->n : y->n, 0.95);
+    size_t n = x->n < y->n ? x->n : y->n;
+    struct rl_interval times = rl_interval_from_0(rl_ratio_interval(y->value, x->value, n, 0.95));
     double scale = 1.0 / log(coarse / fine); /* the median is that of the logarithms too */
     *exponent =
         (struct rl_interval){log(times.value) * scale, log(times.low) * scale, log(times.high) * scale};

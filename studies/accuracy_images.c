@@ -45,7 +45,7 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
 {
     for (size_t i = 0; i < n; i++)
         ms[i] /= 1000.0;
-    struct rl_interval seconds = rl_median_interval(ms, n, 0.95);
+    struct rl_interval seconds = rl_interval_from_0(rl_median_interval(ms, n, 0.95));
     const struct rl_render_stats *s = &arm->stats;
     int status = rl_record_series_add(r, "seconds", ms, n, error);
     if (status == RL_OK)

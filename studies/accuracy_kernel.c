@@ -87,7 +87,8 @@ static int store(struct rl_record *r, const struct arm *arm, double *ms, size_t 
     double work = (double)arm->calls * (double)arm->threads * (double)arm->texels->n;
     for (size_t i = 0; i < n; i++)
         ms[i] = 1000.0 * work / ms[i];
-    int status = rl_record_add(r, "texel_normals", rl_median_interval(ms, n, 0.95), "1/s", error);
+    struct rl_interval rate = rl_interval_from_0(rl_median_interval(ms, n, 0.95));
+    int status = rl_record_add(r, "texel_normals", rate, "1/s", error);
     return status == RL_OK ? rl_record_series_add(r, "texel_normals", ms, n, error) : status;
 }
 

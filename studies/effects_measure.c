@@ -303,16 +303,20 @@ static int add_all(struct rl_record *r, const struct job *job, const struct rl_t
     for (int k = 0; k < WORKS; k++)
         more += fabs(job->arm[ZERO].work[k] - job->arm[FULL].work[k]);
     int status =
-        rl_record_add(r, "full_ms", rl_median_interval(t->ms[FULL], t->n_rounds, 0.95), "ms", job->error);
+        rl_record_add(r, "full_ms", rl_interval_from_0(rl_median_interval(t->ms[FULL], t->n_rounds, 0.95)),
+                      "ms", job->error);
     if (status == RL_OK)
-        status =
-            rl_record_add(r, "bare_ms", rl_median_interval(t->ms[BARE], t->n_rounds, 0.95), "ms", job->error);
+        status = rl_record_add(r, "bare_ms",
+                               rl_interval_from_0(rl_median_interval(t->ms[BARE], t->n_rounds, 0.95)), "ms",
+                               job->error);
     if (status == RL_OK)
         status = rl_record_add(r, "floor_ms", (struct rl_interval){floor_ms, floor_ms, floor_ms}, "ms",
                                job->error);
     if (status == RL_OK)
-        status = rl_record_add(r, "time_zero", rl_ratio_interval(t->ms[ZERO], t->ms[FULL], t->n_rounds, 0.95),
-                               "1", job->error);
+        status =
+            rl_record_add(r, "time_zero",
+                          rl_interval_from_0(rl_ratio_interval(t->ms[ZERO], t->ms[FULL], t->n_rounds, 0.95)),
+                          "1", job->error);
     if (status == RL_OK)
         status = rl_record_add_exact(r, "zero_work", more, "1", job->error);
     if (status == RL_OK)

@@ -20,7 +20,7 @@ static struct rl_interval ratio(const struct rl_judging *j, const char *a, const
     const struct rl_series *x = frames(j, a), *y = frames(j, b);
     if (!x || !y)
         return (struct rl_interval){NAN, NAN, NAN};
-    return rl_ratio_interval(x->value, y->value, x->n < y->n ? x->n : y->n, 0.95);
+    return rl_interval_from_0(rl_ratio_interval(x->value, y->value, x->n < y->n ? x->n : y->n, 0.95));
 }
 
 /* A difference smaller than that of two equal arms says nothing. */
@@ -76,7 +76,7 @@ static int claim_rate(const struct rl_judging *j, const char *arm, const char *t
     const struct rl_series *s = frames(j, arm);
     if (!s)
         return RL_OK;
-    struct rl_interval ms = rl_median_interval(s->value, s->n, 0.95);
+    struct rl_interval ms = rl_interval_from_0(rl_median_interval(s->value, s->n, 0.95));
     double low = 1000.0 / ms.high, high = 1000.0 / ms.low;
     rl_claim_value(c, 1000.0 / ms.value, low, high, "frames/s");
     c->verdict = rl_verdict_at_least(low, high, RL_FILM_FPS);

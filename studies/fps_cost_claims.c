@@ -175,8 +175,9 @@ static int claim_map_size(const struct rl_fps_costs *k)
     }
     if (!time[0] || !time[1])
         return RL_OK;
-    struct rl_interval x = rl_ratio_interval(time[1]->value, time[0]->value,
-                                             time[0]->n < time[1]->n ? time[0]->n : time[1]->n, 0.95);
+    size_t rounds = time[0]->n < time[1]->n ? time[0]->n : time[1]->n;
+    struct rl_interval x =
+        rl_interval_from_0(rl_ratio_interval(time[1]->value, time[0]->value, rounds, 0.95));
     rl_claim_value(c, x.value, x.low, x.high, "times");
     c->verdict = at_most(x, 1.1, noise_floor(k, "environment-frame"));
     snprintf(c->note, sizeof c->note, "%g against %g texels along an edge", size[n - 1], size[0]);

@@ -130,9 +130,9 @@ static int add_times(struct rl_record *records, size_t n, const struct rl_timing
                      struct rl_error *error)
 {
     struct rl_record *r = &records[i];
-    struct rl_interval ms = rl_median_interval(t->ms[i], t->n_rounds, 0.95);
+    struct rl_interval ms = rl_interval_from_0(rl_median_interval(t->ms[i], t->n_rounds, 0.95));
     struct rl_interval fps = {1000.0 / ms.value, 1000.0 / ms.high, 1000.0 / ms.low};
-    double half = fmax(ms.high - ms.value, ms.value - ms.low) / ms.value;
+    double half = ms.value > 0.0 ? fmax(ms.high - ms.value, ms.value - ms.low) / ms.value : INFINITY;
     long baseline = rl_fps_arm(records, n, r, "none"), random = rl_fps_arm(records, n, r, "random-4");
     int status = rl_record_add(r, "frame_ms", ms, "ms", error);
     if (status == RL_OK)
@@ -150,8 +150,9 @@ static int add_times(struct rl_record *records, size_t n, const struct rl_timing
             rl_record_add(r, "above_baseline_ms",
                           rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms", error);
     if (status == RL_OK && random >= 0)
-        status = rl_record_add(r, "time_to_random4",
-                               rl_ratio_interval(t->ms[i], t->ms[random], t->n_rounds, 0.95), "1", error);
+        status = rl_record_add(
+            r, "time_to_random4",
+            rl_interval_from_0(rl_ratio_interval(t->ms[i], t->ms[random], t->n_rounds, 0.95)), "1", error);
     if (status == RL_OK && !isnan(paper_fps(r)))
         status = rl_record_add_exact(r, "paper_fps", paper_fps(r), "1/s", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;

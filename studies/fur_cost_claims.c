@@ -68,7 +68,7 @@ static bool ratio_of(struct rl_metric *m, const struct rl_record *a, const struc
     const struct rl_series *y = b ? rl_record_series(b, "frame_ms") : NULL;
     if (!x || !y || x->n != y->n)
         return false;
-    struct rl_interval r = rl_ratio_interval(x->value, y->value, x->n, 0.95);
+    struct rl_interval r = rl_interval_from_0(rl_ratio_interval(x->value, y->value, x->n, 0.95));
     *m = (struct rl_metric){.value = r.value, .low = r.low, .high = r.high};
     return true;
 }

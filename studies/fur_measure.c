@@ -103,7 +103,8 @@ static int add_ratio(struct rl_record *r, struct rl_record *records, size_t n, s
     const struct rl_series *b = k < n ? rl_record_series(&records[k], "frame_ms") : NULL;
     if (!a || !b)
         return rl_fail(error, RL_ERR_INPUT, "no arm '%s' among those timed together", pattern);
-    return rl_record_add(r, "time_to_pixel", rl_ratio_interval(a->value, b->value, a->n, 0.95), "1", error);
+    return rl_record_add(r, "time_to_pixel",
+                         rl_interval_from_0(rl_ratio_interval(a->value, b->value, a->n, 0.95)), "1", error);
 }
 
 static int measure_time(struct rl_record *records, size_t n, struct rl_bench *bench,

@@ -22,8 +22,9 @@ static size_t find(const struct rl_record *records, size_t n, const char *patter
 static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, double precision,
                    struct rl_error *error)
 {
-    struct rl_interval ms = rl_median_interval(t->ms[i], t->n_rounds, 0.95);
-    double reached = fmax(ms.high - ms.value, ms.value - ms.low) / ms.value;
+    struct rl_interval ms = rl_interval_from_0(rl_median_interval(t->ms[i], t->n_rounds, 0.95));
+    /* Relative to 0 nothing is precise. */
+    double reached = ms.value > 0.0 ? fmax(ms.high - ms.value, ms.value - ms.low) / ms.value : INFINITY;
     int status = rl_record_add(r, "frame_ms", ms, "ms", error);
     if (status == RL_OK)
         status = rl_record_add_exact(r, "frames", (double)t->n_rounds, "1", error);
@@ -32,6 +33,11 @@ static int add_own(struct rl_record *r, const struct rl_timing *t, size_t i, dou
     if (status == RL_OK)
         status = rl_record_add_exact(r, "time_capped", reached > precision, "1", error);
     return status == RL_OK ? rl_record_series_add(r, "frame_ms", t->ms[i], t->n_rounds, error) : status;
+}
+
+static struct rl_interval ratio(const struct rl_timing *t, size_t a, size_t b)
+{
+    return rl_interval_from_0(rl_ratio_interval(t->ms[a], t->ms[b], t->n_rounds, 0.95));
 }
 
 static int add_figures(struct rl_record *records, size_t n, const struct rl_timing *t,
@@ -47,13 +53,9 @@ static int add_figures(struct rl_record *records, size_t n, const struct rl_timi
                                    rl_difference_interval(t->ms[i], t->ms[baseline], t->n_rounds, 0.95), "ms",
                                    error);
         if (status == RL_OK && against < n)
-            status =
-                rl_record_add(&records[i], options->ratio,
-                              rl_ratio_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "1", error);
+            status = rl_record_add(&records[i], options->ratio, ratio(t, i, against), "1", error);
         if (status == RL_OK && against2 < n)
-            status =
-                rl_record_add(&records[i], options->ratio2,
-                              rl_ratio_interval(t->ms[i], t->ms[against2], t->n_rounds, 0.95), "1", error);
+            status = rl_record_add(&records[i], options->ratio2, ratio(t, i, against2), "1", error);
         if (status == RL_OK && against < n && options->difference)
             status = rl_record_add(&records[i], options->difference,
                                    rl_difference_interval(t->ms[i], t->ms[against], t->n_rounds, 0.95), "ms",

@@ -26,7 +26,8 @@ static int compare_doubles(const void *a, const void *b)
 }
 
 /* The largest l for which P(B < l) <= tail, B binomial with n tries of 1/2: l samples from either end span an
- * interval that misses the median with probability 2 P(B < l). 0: even the extremes miss it more often. */
+ * interval that misses the median with probability 2 P(B < l). 0: even the extremes miss it more often, and only the whole line
+ * does not. */
 static size_t rank_from_end(size_t n, double tail)
 {
     size_t low = 0;
@@ -49,13 +50,12 @@ static struct rl_interval median_of(double *samples, size_t n, double level)
             return unknown;
     qsort(samples, n, sizeof *samples, compare_doubles);
     size_t rank = rank_from_end(n, 0.5 * (1.0 - level));
-    size_t first = rank > 0 ? rank - 1 : 0;
     double lower = samples[(n - 1) / 2];
     double upper = samples[n / 2];
     return (struct rl_interval){
         .value = lower == upper ? lower : 0.5 * lower + 0.5 * upper,
-        .low = samples[first],
-        .high = samples[n - 1 - first],
+        .low = rank > 0 ? samples[rank - 1] : -INFINITY,
+        .high = rank > 0 ? samples[n - rank] : INFINITY,
     };
 }
 

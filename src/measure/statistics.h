@@ -17,11 +17,22 @@ static inline struct rl_interval rl_exact_interval(double x)
     return (struct rl_interval){x, x, x};
 }
 
+/* Of what cannot be below 0, as times and ratios of times: an interval that reaches below it, as that of too few samples does, begins
+ * at 0. It bounds nothing that was measured. */
+static inline struct rl_interval rl_interval_from_0(struct rl_interval x)
+{
+    if (x.low < 0.0)
+        x.low = 0.0;
+    return x;
+}
+
 /* All of these take a confidence level in (0, 1). Where there is no answer (no samples, a NaN among them, no
  * memory) value, low and high are NaN. The samples are not changed. */
 
-/* Median with the distribution-free interval from order statistics (binomial). For n < 6 no such interval
- * reaches 95 %: low and high are then the smallest and largest sample. */
+/* Median with the distribution-free interval from order statistics: the l-th smallest and the l-th largest of n samples span the
+ * median but for a probability of 2 P(B < l), B binomial with n tries of 1/2 (David and Nagaraja 2003, section 7.1); l is the
+ * largest that keeps to the level. Even the smallest and the largest miss it with 2^(1-n): for 95 % there must be 6 samples, for
+ * 99 % 8. With fewer nothing is known at that level, and low and high are -infinity and infinity. */
 struct rl_interval rl_median_interval(const double *samples, size_t n, double level);
 
 /* Mean with Student's t interval; n = 1 gives an infinite one. */

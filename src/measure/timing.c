@@ -56,6 +56,11 @@ static int one_round(double seconds[], const struct rl_timing_arm *arm, size_t n
             rl_fail_prefix(error, "%s", a->name);
             return status;
         }
+        /* CLOCK_MONOTONIC is not set back, but a machine that is moved while it runs may have one that is. */
+        if (!(seconds[order[i]] >= 0.0 && seconds[order[i]] < INFINITY))
+            return rl_fail(error, RL_ERR_SYSTEM,
+                           "%s: found a frame of %g s, expected 0 or more: the clock went back", a->name,
+                           seconds[order[i]]);
         if (rl_progress_cancelled(progress)) {
             rl_error_set(error, RL_ERR_CANCELLED, "interrupted while timing");
             return RL_ERR_CANCELLED;
@@ -64,11 +69,13 @@ static int one_round(double seconds[], const struct rl_timing_arm *arm, size_t n
     return RL_OK;
 }
 
+/* Of fewer than six rounds the interval is infinite (statistics.h), and of frames that take no time by the clock, whose tick is then
+ * longer than they are, nothing is known relative to it: neither is precise. */
 static bool precise(const struct rl_timing *timing, double precision)
 {
     for (size_t i = 0; i < timing->n_arms; i++) {
         struct rl_interval m = rl_median_interval(timing->ms[i], timing->n_rounds, 0.95);
-        if (!(fmax(m.high - m.value, m.value - m.low) <= precision * m.value))
+        if (!(m.value > 0.0 && fmax(m.high - m.value, m.value - m.low) <= precision * m.value))
             return false;
     }
     return true;

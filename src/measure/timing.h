@@ -49,7 +49,9 @@ struct rl_timing {
     double **ms; /* [n_arms][n_rounds], milliseconds */
 };
 
-/* RL_ERR_CANCELLED and an arm's own errors leave nothing to clear. `progress` is asked only whether to stop. */
+/* A frame may take 0 s, where the clock's tick is longer; then no median is precise, and a ratio to it is unknown (statistics.h). Fewer
+ * than six rounds are never precise: their intervals are infinite. RL_ERR_SYSTEM: a frame of less than 0 s, or of no number.
+ * RL_ERR_CANCELLED and an arm's own errors leave nothing to clear. `progress` is asked only whether to stop. */
 int rl_timing_run(struct rl_timing *timing, const struct rl_timing_arm *arm, size_t n_arms,
                   const struct rl_timing_options *options, const struct rl_progress *progress,
                   struct rl_error *error);

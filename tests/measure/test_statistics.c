@@ -19,7 +19,8 @@ static void assert_unknown(struct rl_interval i)
     assert_true(isnan(i.value) && isnan(i.low) && isnan(i.high));
 }
 
-/* Ranks (from 1) of the order statistics that span the interval: exact binomial sums (Python fractions). */
+/* Ranks (from 1) of the order statistics that span the interval: exact binomial sums (Python fractions). 0: the smallest and the largest
+ * of n miss the median with 2^(1-n), which is more than the level leaves, and there is no interval but the whole line. */
 static void test_median_ranks(void **state)
 {
     (void)state;
@@ -28,10 +29,12 @@ static void test_median_ranks(void **state)
         double level;
         int low, high;
     } cases[] = {
-        {1, 0.95, 1, 1},   {2, 0.95, 1, 2},    {5, 0.95, 1, 5}, /* none reaches 95 %: all there is */
-        {6, 0.95, 1, 6},   {7, 0.95, 1, 7},    {10, 0.95, 2, 9},    {20, 0.95, 6, 15},
-        {25, 0.95, 8, 18}, {30, 0.95, 10, 21}, {100, 0.95, 40, 61}, {1000, 0.95, 469, 532},
-        {6, 0.99, 1, 6},   {20, 0.99, 4, 17},  {100, 0.99, 37, 64}, {1000, 0.99, 459, 542},
+        {1, 0.95, 0, 0},     {2, 0.95, 0, 0},        {3, 0.95, 0, 0},     {4, 0.95, 0, 0},
+        {5, 0.95, 0, 0},     {5, 0.93, 1, 5},        {1, 0.5, 0, 0},      {2, 0.49, 1, 2},
+        {6, 0.95, 1, 6},     {7, 0.95, 1, 7},        {10, 0.95, 2, 9},    {20, 0.95, 6, 15},
+        {25, 0.95, 8, 18},   {30, 0.95, 10, 21},     {100, 0.95, 40, 61}, {1000, 0.95, 469, 532},
+        {6, 0.99, 0, 0},     {7, 0.99, 0, 0},        {8, 0.99, 1, 8},     {20, 0.99, 4, 17},
+        {100, 0.99, 37, 64}, {1000, 0.99, 459, 542},
     };
     for (size_t c = 0; c < sizeof cases / sizeof cases[0]; c++) {
         size_t n = cases[c].n;
@@ -43,10 +46,61 @@ static void test_median_ranks(void **state)
         memcpy(before, samples, sizeof before);
         struct rl_interval m = rl_median_interval(samples, n, cases[c].level);
         check_near(m.value, 0.5 * (double)(n + 1), 0.0);
-        check_near(m.low, cases[c].low, 0.0);
-        check_near(m.high, cases[c].high, 0.0);
+        if (cases[c].low > 0) {
+            check_near(m.low, cases[c].low, 0.0);
+            check_near(m.high, cases[c].high, 0.0);
+        } else if (m.low != -INFINITY || m.high != INFINITY) {
+            fail_msg("%zu samples at %g: [%g, %g], expected the whole line", n, cases[c].level, m.low,
+                     m.high);
+        }
         assert_memory_equal(samples, before, n * sizeof *samples);
     }
+}
+
+/* Times as clocks give them: one alone, all the same, none at all by the clock's tick, a step. Whatever is said is exact, or unknown: NaN,
+ * NaN, NaN; never one without the others. */
+static void test_times(void **state)
+{
+    (void)state;
+    static const double same[] = {2.5, 2.5, 2.5, 2.5, 2.5, 2.5}, zero[6] = {0.0},
+                        step[] = {2.0, 2.0, 2.0, -1e9, 2.0, 2.0, 2.0, 2.0, 2.0},
+                        late[] = {2.0, 2.0, 2.0, 1e9, 2.0, 2.0, 2.0, 2.0, 2.0};
+    static const struct {
+        const double *a, *b; /* b: median of a/b; NULL: of a */
+        size_t n;
+        double value, low, high;
+    } row[] = {
+        {same, NULL, 1, 2.5, -INFINITY, INFINITY},
+        {same, NULL, 2, 2.5, -INFINITY, INFINITY},
+        {same, NULL, 5, 2.5, -INFINITY, INFINITY},
+        {same, NULL, 6, 2.5, 2.5, 2.5},
+        {zero, NULL, 5, 0.0, -INFINITY, INFINITY},
+        {zero, NULL, 6, 0.0, 0.0, 0.0},
+        {step, NULL, 9, 2.0, 2.0, 2.0}, /* ranks 2 and 8 of 9: one step moves neither */
+        {late, NULL, 9, 2.0, 2.0, 2.0},
+        {step, NULL, 6, 2.0, -1e9, 2.0}, /* ranks 1 and 6 */
+        {same, same, 6, 1.0, 1.0, 1.0},
+        {same, same, 1, 1.0, -INFINITY, INFINITY},
+        {zero, same, 6, 0.0, 0.0, 0.0},
+        {same, zero, 6, INFINITY, INFINITY, INFINITY}, /* longer than nothing */
+        {zero, zero, 6, NAN, NAN, NAN},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct rl_interval m = row[i].b ? rl_ratio_interval(row[i].a, row[i].b, row[i].n, 0.95)
+                                        : rl_median_interval(row[i].a, row[i].n, 0.95);
+        const double found[] = {m.value, m.low, m.high}, expected[] = {row[i].value, row[i].low, row[i].high};
+        for (int k = 0; k < 3; k++)
+            if (isnan(expected[k]) ? !isnan(found[k]) : found[k] != expected[k])
+                fail_msg("row %zu: %g [%g, %g], expected %g [%g, %g]", i, m.value, m.low, m.high,
+                         row[i].value, row[i].low, row[i].high);
+    }
+    struct rl_interval m = rl_interval_from_0(rl_median_interval(same, 2, 0.95));
+    assert_true(m.value == 2.5 && m.low == 0.0 && m.high == INFINITY);
+    m = rl_interval_from_0(rl_median_interval(same, 6, 0.95));
+    assert_true(m.value == 2.5 && m.low == 2.5 && m.high == 2.5);
+    assert_unknown(rl_interval_from_0(rl_median_interval(same, 0, 0.95)));
+    m = rl_mean_interval(same, 6, 0.95);
+    assert_true(m.value == 2.5 && m.low == 2.5 && m.high == 2.5);
 }
 
 static void test_median_edges(void **state)
@@ -212,10 +266,11 @@ static void test_sum(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_median_ranks),   cmocka_unit_test(test_median_edges),
-        cmocka_unit_test(test_student_factor), cmocka_unit_test(test_mean),
-        cmocka_unit_test(test_pairs),          cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_intervals_hold), cmocka_unit_test(test_sum),
+        cmocka_unit_test(test_median_ranks), cmocka_unit_test(test_median_edges),
+        cmocka_unit_test(test_times),        cmocka_unit_test(test_student_factor),
+        cmocka_unit_test(test_mean),         cmocka_unit_test(test_pairs),
+        cmocka_unit_test(test_slope),        cmocka_unit_test(test_intervals_hold),
+        cmocka_unit_test(test_sum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
