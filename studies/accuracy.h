@@ -33,4 +33,7 @@ int rl_accuracy_judge(struct rl_claims *claims, const struct rl_run *run, struct
 /* Those about one scene's images. */
 int rl_accuracy_judge_images(const struct rl_judging *j);
 
+/* Seconds that an image of 640x480 to 1e-6 of that scene, one of those that come with the program, may take; NaN: there is no bar. */
+double rl_accuracy_bar(const char *scene);
+
 #endif

@@ -157,10 +157,11 @@ static int claim_rounding(const struct rl_judging *j, const double *rr, size_t n
     const struct rl_metric *six = find(j, "series=normals normal_bits=6", at, "change"),
                            *eight = find(j, "series=normals normal_bits=8", at, "change"),
                            *ten = find(j, "series=normals normal_bits=10", at, "change");
-    if (!six || !eight || !ten || !(six->low * ten->low > 0.0))
+    if (!six || !eight || !ten || !(six->value * ten->value > 0.0))
         return RL_OK;
+    double least = sqrt(six->low * ten->low);
     rl_claim_value(c, eight->value / sqrt(six->value * ten->value), eight->low / sqrt(six->high * ten->high),
-                   eight->high / sqrt(six->low * ten->low), "times");
+                   least > 0.0 ? eight->high / least : INFINITY, "times");
     snprintf(c->note, sizeof c->note, "at R_r %g; RMS change with 6, 8, 10 bits: %.3g, %.3g, %.3g", at,
              six->value, eight->value, ten->value);
     c->verdict = rl_verdict_at_most(c->low, c->high, one_bit);

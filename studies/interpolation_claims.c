@@ -92,19 +92,34 @@ static const struct {
      "1/255 ("},
 };
 
-/* Where the coarsest mesh does there is no number, only a bound. */
+/* Where the coarsest mesh does, or the finest does not, there is only a bound. */
 static void note_triangles(struct rl_claim *c, const char *what, const struct rl_interval *x)
 {
     char text[128];
-    snprintf(text, sizeof text, "%.40s: at most %.4g, the coarsest", what, x->high);
     size_t used = strlen(c->note);
-    if (isnan(x->value) && !isnan(x->high))
+    if (isnan(x->value))
+        snprintf(text, sizeof text, "%.40s: at most %.4g, the coarsest", what, x->high);
+    else
+        snprintf(text, sizeof text, "%.40s: more than %.4g, the finest", what, x->low);
+    if (!isnan(x->high) && !isfinite(x->value))
         snprintf(c->note + used, sizeof c->note - used, "%s%s", used ? "; " : "", text);
     else
         note(c, what, x->value);
 }
 
-/* Nor is there one beyond the finest. */
+/* How many times as many; where one of both is but a bound the value is one, too, the least that it can be. None where neither is known
+ * from above. */
+static void take_triangles(struct rl_claim *c, const struct rl_interval *more, const struct rl_interval *less)
+{
+    if (!isfinite(less->high) || isnan(more->high))
+        return;
+    double low = more->low / less->high;
+    bool bound = !isfinite(more->value) || isnan(less->value);
+    rl_claim_value(c, bound ? low : more->value / less->value, low,
+                   less->low > 0.0 ? more->high / less->low : INFINITY,
+                   bound ? "times the triangles or more" : "times the triangles");
+}
+
 static int claim_triangles(const struct rl_judging *j, const char *object)
 {
     for (size_t k = 0; k < sizeof triangles / sizeof triangles[0]; k++) {
@@ -113,9 +128,7 @@ static int claim_triangles(const struct rl_judging *j, const char *object)
             return RL_ERR_SYSTEM;
         struct rl_interval more = rl_interpolation_rates(j->run, object, "eye", triangles[k].more).triangles;
         struct rl_interval less = rl_interpolation_rates(j->run, object, "eye", triangles[k].less).triangles;
-        if (isfinite(less.high))
-            rl_claim_value(c, more.value / less.value, more.low / less.high,
-                           less.low > 0.0 ? more.high / less.low : INFINITY, "times the triangles");
+        take_triangles(c, &more, &less);
         c->verdict = rl_verdict_at_least(c->low, c->high, 3.0);
         note_triangles(c, triangles[k].more, &more);
         note_triangles(c, triangles[k].less, &less);

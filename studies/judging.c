@@ -166,6 +166,20 @@ void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t 
     note_all(c, step, n);
 }
 
+void rl_judging_instead(struct rl_step *step, const struct rl_metric *m)
+{
+    step->value = m ? m->value : NAN;
+    step->low = m ? m->low : NAN;
+    step->high = m ? m->high : NAN;
+}
+
+void rl_judging_conclude_again(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit)
+{
+    c->note[0] = '\0';
+    rl_claim_value(c, NAN, NAN, NAN, "");
+    rl_judging_conclude(c, step, n, unit);
+}
+
 bool rl_judging_worse(struct rl_claim *c, enum rl_verdict verdict, double badness, double *worst)
 {
     static const int weight[] = {[RL_VERDICT_HOLDS] = 0,

@@ -66,6 +66,11 @@ void rl_judging_steps(struct rl_step step[RL_AXIS_MAX], const double *rr, size_t
  * numbers of all. */
 void rl_judging_conclude(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit);
 
+/* Where what was looked for is not there the value is infinite, which is no number to show: the same verdict again, with the number that it
+ * follows from in place of each step's. NULL: none was measured. */
+void rl_judging_instead(struct rl_step *step, const struct rl_metric *m);
+void rl_judging_conclude_again(struct rl_claim *c, const struct rl_step *step, size_t n, const char *unit);
+
 /* For claims that hold where every case does: takes one more into the claim's verdict, which is `fails` if one fails, else inconclusive
  * if one is undecided. Whether this case speaks for all from now on, so that its number is the claim's: of those that carry the verdict
  * it is the worst. `*worst` is the badness of the speaker, NaN before the first; a NaN was not measured and says nothing. */

@@ -13,7 +13,7 @@ static const struct grid {
     [RL_GRID_QUICK] = {.width = 128,
                        .height = 96,
                        .views = 2,
-                       .ratio = {10, 1e3, 1e5},
+                       .ratio = {10, 1e3, 1e5, 1e7},
                        .culling_width = 160,
                        .culling_height = 120,
                        .rounds = 6},

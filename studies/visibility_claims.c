@@ -96,6 +96,19 @@ static void take(struct rl_claim *c, struct rl_interval off, double margin, cons
         rl_claim_value(c, off.value, off.low, off.high, unit);
 }
 
+/* Where at every far/near only a handful of pixels is wrong the number is the difference of both shares at the largest, of all pixels: what
+ * it is of the smaller share is not known. */
+static void take_few(struct rl_claim *c, const struct rl_record *a, const char *of_a,
+                     const struct rl_record *b, const char *of_b, const char *words)
+{
+    const struct rl_series *x = a ? rl_record_series(a, of_a) : NULL, *y = b ? rl_record_series(b, of_b) : NULL;
+    if (!x || !y)
+        return;
+    struct rl_interval off = paired(x, y, 1.0);
+    rl_claim_value(c, off.value, off.low, off.high, "of the pixels");
+    snprintf(c->note, sizeof c->note, "%s at every far/near; the difference at the largest", words);
+}
+
 /* Measured shares against those of an ideal depth buffer. */
 static int claim_ideal(const struct rl_judging *j, const double *ratio, size_t n, const char *buffer,
                        const char *text)
@@ -115,9 +128,9 @@ static int claim_ideal(const struct rl_judging *j, const double *ratio, size_t n
         note(c, "far/near ", ratio[i], off.value);
         take(c, off, alike, "of the ideal share", &worst);
     }
+    const struct rl_record *last = n > 0 ? find(j, buffer, ratio[n - 1]) : NULL;
     if (isnan(c->value))
-        snprintf(c->note, sizeof c->note,
-                 "an ideal one gets less than one pixel in 1000 wrong at every far/near");
+        take_few(c, last, "wrong", last, "ideal", "an ideal one gets less than one pixel in 1000 wrong");
     return RL_OK;
 }
 
@@ -172,8 +185,9 @@ static int claim_float(const struct rl_judging *j, const double *ratio, size_t n
         note(c, "far/near ", ratio[i], off.value);
         take(c, off, same_format, "of the share with 24 bits", &worst);
     }
-    if (isnan(c->value))
-        snprintf(c->note, sizeof c->note, "24 bits get less than one pixel in 1000 wrong at every far/near");
+    if (isnan(c->value) && n > 0)
+        take_few(c, find(j, bits_32, ratio[n - 1]), "wrong", find(j, bits_24, ratio[n - 1]), "wrong",
+                 "24 bits get less than one pixel in 1000 wrong");
     return RL_OK;
 }
 

@@ -166,6 +166,16 @@ static void test_shares(void **state)
     memset(w.wrong, 0, sizeof w.wrong);
     assert_int_equal(judge(w, ideal_16).verdict, RL_VERDICT_INCONCLUSIVE);
     assert_int_equal(judge(w, real).verdict, RL_VERDICT_INCONCLUSIVE);
+    /* But a number still, of all pixels. */
+    w.wrong[1][2] = 5e-4;
+    w.wrong[2][2] = 8e-4;
+    c = judge(w, real);
+    assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_true(fabs(c.value - 3e-4) < 1e-12 && c.low <= c.value && c.value <= c.high);
+    assert_string_equal(c.unit, "of the pixels");
+    c = judge(w, ideal_24);
+    assert_int_equal(c.verdict, RL_VERDICT_INCONCLUSIVE);
+    assert_true(fabs(c.value - 5e-4) < 1e-12);
 }
 
 static void test_culling(void **state)
