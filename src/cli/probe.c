@@ -1,13 +1,12 @@
 /* `probe`: a function of the model, by name, on rows of arguments from standard input, in C or in GLSL. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/probe_rows.h"
 #include "cli/render_options.h"
-#include "probe/probe.h"
 
 static const struct rl_option options_probe[] = {
     {0, "backend", "NAME",
@@ -16,89 +15,7 @@ static const struct rl_option options_probe[] = {
     {0},
 };
 
-struct rows {
-    size_t n, room;
-    double *value;
-};
-
-/* The next word of a line, ended by a NUL, or NULL. */
-static char *next_word(char **at)
-{
-    static const char blanks[] = " \t\r\n";
-    char *word = *at + strspn(*at, blanks);
-    if (*word == '\0')
-        return NULL;
-    *at = word + strcspn(word, blanks);
-    if (**at != '\0')
-        *(*at)++ = '\0';
-    return word;
-}
-
-static bool is_header(const char *line, const struct rl_probe *probe)
-{
-    char *copy = strdup(line), *at = copy;
-    bool same = copy != NULL;
-    for (size_t i = 0; i <= probe->n_in && same; i++) {
-        const char *word = next_word(&at);
-        same = i < probe->n_in ? word && strcmp(word, probe->in[i].name) == 0 : !word;
-    }
-    free(copy);
-    return same;
-}
-
-static int take_line(double *row, char *line, const struct rl_probe *probe, struct rl_error *error)
-{
-    char *word;
-    size_t n = 0;
-    for (; (word = next_word(&line)) != NULL; n++) {
-        if (n < probe->n_in && probe->in[n].optional && strcmp(word, "-") == 0)
-            row[n] = NAN;
-        else if (n < probe->n_in && !rl_text_number(word, &row[n]))
-            return rl_fail(error, RL_ERR_INPUT, "%s: found '%.64s', expected a finite number",
-                           probe->in[n].name, word);
-    }
-    if (n != probe->n_in)
-        return rl_fail(error, RL_ERR_INPUT, "found %zu columns, expected %zu", n, probe->n_in);
-    return rl_probe_check_row(probe, row, error);
-}
-
-static int make_room(struct rows *rows, size_t n_in, struct rl_error *error)
-{
-    if (rows->n < rows->room)
-        return RL_OK;
-    size_t room = rows->room ? 2 * rows->room : 64;
-    double *value = realloc(rows->value, (room * n_in + 1) * sizeof *value);
-    if (!value)
-        return rl_fail_memory(error, "rows");
-    rows->room = room;
-    rows->value = value;
-    return RL_OK;
-}
-
-/* Empty lines count as lines and are no rows; the first line may be the header. */
-static int read_rows(struct rows *rows, const struct rl_probe *probe, struct rl_error *error)
-{
-    char *line = NULL;
-    size_t size = 0;
-    int status = RL_OK;
-    for (size_t number = 1; status == RL_OK && getline(&line, &size, stdin) >= 0; number++) {
-        if (line[strspn(line, " \t\r\n")] == '\0' || (rows->n == 0 && is_header(line, probe)))
-            continue;
-        status = make_room(rows, probe->n_in, error);
-        if (status == RL_OK)
-            status = take_line(rows->value + rows->n * probe->n_in, line, probe, error);
-        if (status == RL_OK)
-            rows->n++;
-        else
-            rl_fail_prefix(error, "standard input:%zu", number);
-    }
-    free(line);
-    if (status == RL_OK && ferror(stdin))
-        return rl_fail(error, RL_ERR_SYSTEM, "standard input: cannot read");
-    return status;
-}
-
-static int evaluate(const struct rl_probe *probe, const char *backend, const struct rows *rows,
+static int evaluate(const struct rl_probe *probe, const char *backend, const struct rl_probe_rows *rows,
                     double *results, struct rl_error *error)
 {
     if (strcmp(backend, "cpu") == 0) {
@@ -128,7 +45,7 @@ static void print(const struct rl_probe *probe, enum rl_output format, const dou
 static int probe(const struct rl_arguments *a, struct rl_error *error)
 {
     struct rl_probe function;
-    struct rows rows = {0};
+    struct rl_probe_rows rows = {0};
     enum rl_output format;
     const char *backend = rl_argument(a, "backend");
     if (!backend)
@@ -141,7 +58,7 @@ static int probe(const struct rl_arguments *a, struct rl_error *error)
     if (status == RL_OK && strcmp(backend, "cpu") != 0)
         status = rl_probe_check_gpu(&function, error);
     if (status == RL_OK)
-        status = read_rows(&rows, &function, error);
+        status = rl_probe_rows_read(&rows, &function, stdin, "standard input", error);
     double *results = status == RL_OK ? malloc((rows.n * function.n_out + 1) * sizeof *results) : NULL;
     if (status == RL_OK && !results)
         status = rl_fail_memory(error, "results");
@@ -150,7 +67,7 @@ static int probe(const struct rl_arguments *a, struct rl_error *error)
     if (status == RL_OK)
         print(&function, format, results, rows.n);
     free(results);
-    free(rows.value);
+    rl_probe_rows_clear(&rows);
     return status;
 }
 
