@@ -22,6 +22,14 @@ esac
 ok() { echo "ok - $1"; }
 not_ok() { echo "not ok - $1"; }
 
+# ---- The patches ---------------------------------------------------------------------------------------------------
+
+# Sources move on, and a patch that no longer fits plants nothing: this says so long before `make faults` is run again.
+unfit=$(for patch in $faults/*.patch; do
+    patch -p1 --dry-run -s -f <"$patch" >/dev/null 2>&1 || echo "$patch"
+done)
+if [ -z "$unfit" ]; then ok "every patch fits its source"; else not_ok "patches that do not fit: $unfit"; fi
+
 # ---- The check ---------------------------------------------------------------------------------------------------
 
 # Few sources are built again for each of these, and cases without a scene see them.
