@@ -71,17 +71,22 @@ struct face {
     uint16_t radiance;
 };
 
+/* A row belongs to [low, high) of what passes through it, as a texel of it does to [from, to): where two polygons share an edge, no texel
+ * is lost between them, nor seen by both. For that the edge is gone along from the side that is not above the row, whichever way round
+ * the polygon has it: both then compute the same place, bit for bit. */
 static size_t find_passes(const struct face *f, size_t n, double t)
 {
     size_t found = 0;
     for (size_t i = 0; i < n; i++) {
         rl_vec3 a = f->vertex[i], b = f->vertex[i + 1 < n ? i + 1 : 0];
         double from = a.y - t * a.z, to = b.y - t * b.z;
-        if ((from >= 0.0) == (to >= 0.0))
+        if ((from > 0.0) == (to > 0.0))
             continue;
-        double at = from / (from - to);
-        struct pass p = {
-            .s = a.x + at * (b.x - a.x), .w = a.z + at * (b.z - a.z), .sign = to >= 0.0 ? 1 : -1};
+        rl_vec3 low = to > 0.0 ? a : b, high = to > 0.0 ? b : a;
+        double below = fmin(from, to), at = below / (below - fmax(from, to));
+        struct pass p = {.s = low.x + at * (high.x - low.x),
+                         .w = low.z + at * (high.z - low.z),
+                         .sign = to > 0.0 ? 1 : -1};
         p.position = f->nearness.x * p.w - (f->nearness.y * t + f->nearness.z) * p.s;
         size_t place = found++;
         for (; place > 0 && f->pass[place - 1].position > p.position; place--)
@@ -158,8 +163,9 @@ static void draw_polygon(const struct face *f, size_t n)
         low = fmin(low, f->vertex[i].y / f->vertex[i].z);
         high = fmax(high, f->vertex[i].y / f->vertex[i].z);
     }
-    int first = behind ? 0 : texel_from(f, low), end = behind ? f->size : texel_from(f, high);
-    for (int row = first; row < end; row++)
+    /* One more at either end: which rows an outline passes through is decided there, where it does not depend on rounding. */
+    int first = behind ? 0 : texel_from(f, low) - 1, end = behind ? f->size : texel_from(f, high) + 1;
+    for (int row = first < 0 ? 0 : first; row < end && row < f->size; row++)
         draw_row(f, n, row);
 }
 
