@@ -67,7 +67,11 @@ static int take_cached(struct rl_image *image, const char *path, const struct rl
     int status = rl_image_read(image, path, error);
     if (status != RL_OK)
         return status;
-    if (!rl_stamp_has_key(image, key->text))
+    struct rl_image_census census;
+    rl_image_census(&census, image);
+    if (census.nonfinite > 0)
+        status = rl_fail(error, RL_ERR_CHECK, "%s: %zu values are NaN or infinite", path, census.nonfinite);
+    else if (!rl_stamp_has_key(image, key->text))
         status = rl_fail(error, RL_ERR_CHECK, "%s: not the reference of that name", path);
     else if (image->width != settings->width || image->height != settings->height)
         status = rl_fail(error, RL_ERR_CHECK, "%s: found %dx%d pixels, expected %dx%d", path, image->width,

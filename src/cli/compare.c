@@ -1,6 +1,7 @@
 /* `compare`: error metrics of an image against a reference, one row. */
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -131,6 +132,23 @@ static int compare(const struct rl_image *image, const struct rl_image *referenc
     return RL_OK;
 }
 
+/* What would otherwise hide in the figures: one line a file, if it has any of it. */
+static void tell_census(const char *path, const struct rl_image *image)
+{
+    struct rl_image_census c;
+    const struct rl_attribute *clipped = rl_image_attribute(image, "roughlight:clipped");
+    rl_image_census(&c, image);
+    if (c.nonfinite + c.negative + c.large > 0)
+        fprintf(
+            stderr,
+            "compare: %s: of %zu values %zu are NaN or infinite, %zu negative (least %g), %zu above 65504, "
+            "the largest half (most %g)\n",
+            path, c.values, c.nonfinite, c.negative, c.least, c.large, c.most);
+    if (clipped && clipped->string)
+        fprintf(stderr, "compare: %s: %s of its values were clipped when it was written\n", path,
+                clipped->string);
+}
+
 static int run(const struct rl_arguments *a, struct rl_error *error)
 {
     struct rl_image image = {0};
@@ -142,6 +160,8 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
     if (status == RL_OK)
         status = rl_image_read(&reference, a->positional[1], error);
     if (status == RL_OK) {
+        tell_census(a->positional[0], &image);
+        tell_census(a->positional[1], &reference);
         status = compare(&image, &reference, &request, error);
         if (status == RL_ERR_INPUT) /* sizes, channels or coverage: say of which files */
             rl_fail_prefix(error, "%s against %s", a->positional[0], a->positional[1]);
@@ -162,9 +182,12 @@ const struct rl_command rl_command_compare = {
         "alpha >= 1/2):\n\n"
         "  rmse  sqrt(mean e^2)     mae   mean |e|      max  largest |e|     bias  mean e "
         "(brightness gained or lost)\n"
-        "  relmse  mean(e^2/(reference + 0.01)^2)       psnr_db  peak max(1, largest reference)\n"
+        "  relmse  mean(e^2/(|reference| + 0.01)^2)     psnr_db  peak max(1, largest reference)\n"
         "  nonfinite  NaN or infinite values: any fails the comparison (exit 1)\n"
         "  pixels  compared         mismatched  covered in one image only, left out\n\n"
+        "Values that are NaN, infinite, negative or above the largest half are counted on stderr, and so "
+        "are\n"
+        "those that a PNG by `render` says were clipped.\n\n"
         "Values are linear light; 8-bit files are decoded from sRGB first. Of photometric scenes they "
         "are\nluminance over white: pictures of two whites are refused.\n\n"
         "  roughlight compare a.exr reference.exr\n"

@@ -131,14 +131,22 @@ static int write_image(struct rl_image *image, const struct drawing *d, const st
                        const struct rl_plan *plan, const char *path, struct rl_error *error)
 {
     struct rl_write_report report = {0};
+    const char *dot = strrchr(path, '.');
+    if (dot && strcmp(dot, ".png") == 0)
+        rl_image_clipping(&report, image);
     int status = rl_stamp_image(image, scene, plan, d->renderer, d->threads, d->seconds, error);
     if (status == RL_OK && d->has_accuracy)
         status = rl_stamp_accuracy(image, &d->accuracy, error);
+    if (status == RL_OK && report.clipped > 0)
+        status = rl_image_set_number(image, "roughlight:clipped", (double)report.clipped, error);
     if (status == RL_OK)
         status = rl_image_write(image, path, &report, error);
     if (status == RL_OK && report.clipped > 0)
-        fprintf(stderr, "render: warning: %zu values outside [0, 1] were clipped in %s; .exr keeps them\n",
-                report.clipped, path);
+        fprintf(
+            stderr,
+            "render: warning: %zu values outside [0, 1] were clipped in %s: %zu above 1, %zu below 0, %zu "
+            "without coverage; .exr keeps them\n",
+            report.clipped, path, report.above, report.below, report.uncovered);
     if (status == RL_OK && report.clipped > 0 && scene->white > 0.0)
         fprintf(stderr, "render: 1 is camera.white, %g cd/m2; more would leave room for what is brighter\n",
                 scene->white);

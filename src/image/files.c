@@ -248,6 +248,8 @@ static unsigned char to_byte(double value, struct rl_write_report *report)
 {
     if (value < 0.0 || value > 1.0) {
         report->clipped++;
+        report->below += value < 0.0;
+        report->above += value > 1.0;
         value = value < 0.0 ? 0.0 : 1.0;
     }
     return (unsigned char)(255.0 * value + 0.5);
@@ -268,12 +270,23 @@ static void encode_pixel(unsigned char *bytes, const float *pixel, int channels,
         } else if (value != 0.0) {
             /* Light from a pixel that is not covered cannot be told in unassociated alpha. */
             report->clipped++;
+            report->uncovered++;
             value = 0.0;
         }
         /* Clipped before it is encoded: the curve has no meaning outside. */
         bytes[c] =
             value >= 0.0 && value <= 1.0 ? to_byte(rl_srgb_encode(value), report) : to_byte(value, report);
     }
+}
+
+void rl_image_clipping(struct rl_write_report *report, const struct rl_image *image)
+{
+    size_t pixels = (size_t)image->width * (size_t)image->height, channels = (size_t)image->channels;
+    unsigned char bytes[RL_IMAGE_CHANNELS_MAX];
+    int alpha = rl_image_channel(image, "A");
+    *report = (struct rl_write_report){0};
+    for (size_t i = 0; i < pixels; i++)
+        encode_pixel(bytes, image->data + i * channels, image->channels, alpha, report);
 }
 
 static unsigned char *encode_bytes(const struct rl_image *image, struct rl_write_report *report)

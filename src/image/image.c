@@ -1,6 +1,7 @@
 /* Images in memory and their attributes (see image.h). */
 #include "image/image.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,4 +119,24 @@ const struct rl_attribute *rl_image_attribute(const struct rl_image *image, cons
 {
     size_t i = find(image, name);
     return i < image->n_attributes ? &image->attribute[i] : NULL;
+}
+
+void rl_image_census(struct rl_image_census *census, const struct rl_image *image)
+{
+    static const float largest_half = 65504.0F;
+    struct rl_image_census c = {.values =
+                                    (size_t)image->width * (size_t)image->height * (size_t)image->channels,
+                                .least = NAN,
+                                .most = NAN};
+    for (size_t i = 0; i < c.values; i++) {
+        float v = image->data[i];
+        c.nonfinite += !isfinite(v);
+        if (!isfinite(v))
+            continue;
+        c.negative += v < 0.0F;
+        c.large += v > largest_half;
+        c.least = fmin(c.least, v); /* the number, where one of both is none */
+        c.most = fmax(c.most, v);
+    }
+    *census = c;
 }

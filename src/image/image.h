@@ -44,8 +44,20 @@ struct rl_image {
 
 /* What writing could not carry over; never silent: the caller reports it. */
 struct rl_write_report {
-    size_t clipped;   /* values outside [0, 1], or without alpha to show them, in a file of integers */
-    size_t nonfinite; /* NaN or infinite values found; such an image is refused */
+    size_t
+        clipped; /* values outside [0, 1], or without alpha to show them, in a file of integers: the three below */
+    size_t nonfinite;    /* NaN or infinite values found; such an image is refused */
+    size_t above, below; /* colours over their alpha, and alphas, above 1 and below 0 */
+    size_t uncovered;    /* colours of a pixel whose alpha is 0 or less */
+};
+
+/* Values that a picture of light does not have, or that not every format holds; never silent either. */
+struct rl_image_census {
+    size_t values;      /* width x height x channels */
+    size_t nonfinite;   /* NaN or infinite */
+    size_t negative;    /* finite, below 0; -0 is not */
+    size_t large;       /* finite, above 65504, the largest half */
+    double least, most; /* of the finite ones; NaN: there are none */
 };
 
 /* All zero. 1 channel: Y; 3: R, G, B; 4: R, G, B, A; others: C0, C1, ... RL_ERR_INPUT: a size below 1 or
@@ -68,9 +80,13 @@ int rl_image_set_number(struct rl_image *image, const char *name, double value, 
 /* NULL if absent. */
 const struct rl_attribute *rl_image_attribute(const struct rl_image *image, const char *name);
 
+void rl_image_census(struct rl_image_census *census, const struct rl_image *image);
+/* What a PNG of it will have lost: `clipped` and its parts, for values that are finite. */
+void rl_image_clipping(struct rl_write_report *report, const struct rl_image *image);
+
 /* Reads any format OpenImageIO knows, to linear float: integer formats are decoded by the gamma that they
  * state, else from sRGB unless they are tagged linear; alpha is not. Non-finite values are kept: they are for
- * the caller to count. Of a file with several pictures the first is read; pixels that an EXR file stores
+ * the caller to count (rl_image_census). Of a file with several pictures the first is read; pixels that an EXR file stores
  * outside of its display window are left out, missing ones are 0. Attributes that tell how the file is
  * packed, or are neither a string nor a number, are left out, and those beyond RL_IMAGE_ATTRIBUTES_MAX.
  * RL_ERR_INPUT: no such file, not an image, damaged, or too large. `image` must be empty (zero or cleared)

@@ -9,7 +9,8 @@
 #include "measure/sum.h"
 
 #define LEVEL 0.95
-#define RELATIVE_OFFSET 0.01 /* keeps relMSE finite where the reference is black */
+#define RELATIVE_OFFSET                                                                                      \
+    0.01 /* on |reference|: keeps relMSE finite where that is black, or slightly negative as in HDR photographs */
 #define RULE_OF_THREE 3.0 /* an event that K draws do not show has, at 95 %, a probability of at most 3/K */
 #define SAME 1e-6 /* share of the squares that rounding of floats may leave where values are the same */
 
@@ -91,7 +92,7 @@ static void add_pixel(struct error_sums *sums, const struct layout *image_layout
     for (int c = 0; c < image_layout->colours; c++) {
         double r = reference[reference_layout->colour[c]];
         double e = image[image_layout->colour[c]] - r;
-        double relative = e / (r + RELATIVE_OFFSET);
+        double relative = e / (fabs(r) + RELATIVE_OFFSET);
         rl_sum_add(&sums->error, e);
         rl_sum_add(&sums->absolute, fabs(e));
         rl_sum_add(&sums->squared, e * e);

@@ -1,7 +1,7 @@
 /* Error metrics of an image v against a reference r over the foreground, e = v - r, colour channels alike:
  *
  *     MAE = mean |e|    RMSE = sqrt(mean e^2)    bias = mean e    max = max |e|
- *     relMSE = mean(e^2 / (r + 0.01)^2)          PSNR = 20 log10(max(1, max r)/RMSE) dB
+ *     relMSE = mean(e^2 / (|r| + 0.01)^2)        PSNR = 20 log10(max(1, max r)/RMSE) dB
  *
  * Equal images have an infinite PSNR.
  *

@@ -214,12 +214,17 @@ static void test_png_counts_what_it_clips(void **state)
     };
     struct rl_image image = {0};
     struct rl_image back = {0};
-    struct rl_write_report report = {77, 77};
+    struct rl_write_report report = {77, 77, 77, 77, 77}, before;
     check_ok(rl_image_allocate(&image, 5, 1, 4, &error), &error);
     memcpy(image.data, pixels, sizeof pixels);
     check_ok(rl_image_write(&image, png, &report, &error), &error);
     assert_int_equal(report.clipped, 6);
+    assert_int_equal(report.above, 4);
+    assert_int_equal(report.below, 1);
+    assert_int_equal(report.uncovered, 1);
     assert_int_equal(report.nonfinite, 0);
+    rl_image_clipping(&before, &image);
+    assert_memory_equal(&before, &report, sizeof report);
     check_ok(rl_image_read(&back, png, &error), &error);
     check_near(back.data[0], 0.0, 0.0);
     check_near(back.data[5], 1.0, 0.0);

@@ -92,6 +92,39 @@ static void test_colour_by_name_and_alpha_as_coverage(void **state)
     rl_image_clear(&opaque);
 }
 
+/* What HDR pictures have: negative values, among them the one that an offset without a magnitude divides by nothing at, and 1e30, whose
+ * square no float holds. By hand. */
+static void test_hdr_values(void **state)
+{
+    (void)state;
+    static const struct {
+        float v, r;
+        double rmse, relmse;
+    } row[] = {
+        {0.01F, -0.01F, 0.02, 1.0}, /* 0.02^2/(0.01 + 0.01)^2 */
+        {0.0F, -0.01F, 0.01, 0.25},
+        {-0.004F, 0.0F, 0.004, 0.16},
+        {0.0F, -0.004F, 0.004, 0.0816326530612244898}, /* (4/14)^2 */
+        {1e30F, 0.0F, 1e30, 1e64},
+        {0.0F, 1e30F, 1e30, 1.0},
+        {-1e30F, 1e30F, 2e30, 4.0},
+        {3.4e38F, -3.4e38F, 6.8e38, 4.0},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct rl_image v = {0};
+        struct rl_image r = {0};
+        struct rl_metrics m;
+        make(&v, 1, 1, 1, &row[i].v);
+        make(&r, 1, 1, 1, &row[i].r);
+        check_ok(rl_metrics_compute(&m, &v, &r, &error), &error);
+        check_relative(m.rmse, row[i].rmse, 1e-7); /* the values are floats */
+        check_relative(m.relmse, row[i].relmse, 2e-7);
+        assert_int_equal(m.nonfinite, 0);
+        rl_image_clear(&v);
+        rl_image_clear(&r);
+    }
+}
+
 static void test_equal_images(void **state)
 {
     (void)state;
@@ -207,6 +240,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_colour_by_name_and_alpha_as_coverage),
+        cmocka_unit_test(test_hdr_values),
         cmocka_unit_test(test_equal_images),
         cmocka_unit_test(test_nonfinite_values_void_the_rest),
         cmocka_unit_test(test_what_cannot_be_compared),
