@@ -279,7 +279,7 @@ static const struct rl_figure figures[] = {
 static const struct rl_sweep sweeps[] = {
     {.name = "points", .of = "part=points", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
     {.name = "rounds", .of = "part=images", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 64},
-    {.name = "rounds", .of = "part=kernel", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "rounds", .of = "part=kernel", .kind = RL_SWEEP_WHOLE, .low = 6, .high = 100000},
     {.name = "seconds", .of = "part=kernel", .kind = RL_SWEEP_REAL, .low = 0.001, .high = 1e4},
     RL_SWEEP_PIXELS("width", "part=images"),
     RL_SWEEP_PIXELS("height", "part=images"),

@@ -62,7 +62,7 @@ static const struct rl_figure figures[] = {
 static const struct rl_sweep sweeps[] = {
     RL_SWEEP_PIXELS("width", NULL),
     RL_SWEEP_PIXELS("height", NULL),
-    {.name = "rounds", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 100000},
+    {.name = "rounds", .kind = RL_SWEEP_WHOLE, .low = 6, .high = 100000},
 };
 
 static const char *const scenes[] = {"lamps", NULL};

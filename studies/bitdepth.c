@@ -207,7 +207,7 @@ static const struct rl_sweep sweeps[] = {
     {.name = "samples", .of = "series=normals", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 1024},
     RL_SWEEP_NORMAL_SIZE(NULL),
     RL_SWEEP_SEEDS("method=random"),
-    {.name = "rounds", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 1, .high = 100000},
+    {.name = "rounds", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 6, .high = 100000},
     RL_SWEEP_PIXELS("width", NULL),
     RL_SWEEP_PIXELS("height", NULL),
 };

@@ -15,7 +15,7 @@ struct size {
     int width, height;
 };
 
-/* Least rounds of a series and the cap of their seconds. Frames of the default grid are at least 30; making maps and exhaustive, on
+/* Least rounds of a series, six for there to be an interval at all, and the cap of their seconds. Frames of the default grid are at least 30; making maps and exhaustive, on
  * the CPU, take so much longer and scatter so much less that they have fewer, which their claims' notes say. Where the picture's
  * size is not what is studied (environment, objects, roughness, exhaustive) it is small. */
 struct effort {
@@ -39,11 +39,11 @@ static const struct grid {
 } grids[] = {
     [RL_GRID_QUICK] = {.table_size = {160, 120},
                        .table = {10, 1.0},
-                       .sizes = {5, 0.3},
-                       .environments = {5, 0.3},
-                       .many = {5, 0.3},
-                       .maps = {5, 0.3},
-                       .all_texels = {5, 0.3},
+                       .sizes = {6, 0.3},
+                       .environments = {6, 0.3},
+                       .many = {6, 0.3},
+                       .maps = {6, 0.3},
+                       .all_texels = {6, 0.3},
                        .size = {{40, 30}, {80, 60}, {160, 120}},
                        .heavy = 2,
                        .scene = {80, 60},
@@ -347,7 +347,7 @@ static const struct rl_sweep sweeps[] = {
      .high = 4096,
      .together = 16},
     {.name = "normal_bits", .of = NULL, .kind = RL_SWEEP_WORD, .words = rl_sweep_normal_bits},
-    {.name = "rounds", .of = NULL, .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "rounds", .of = NULL, .kind = RL_SWEEP_WHOLE, .low = 6, .high = 100000},
     {.name = "seconds", .of = NULL, .kind = RL_SWEEP_REAL, .low = 0.001, .high = 1e5},
     RL_SWEEP_PIXELS("width", "series=table1"),
     RL_SWEEP_PIXELS("height", "series=table1"),

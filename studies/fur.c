@@ -343,7 +343,7 @@ static const struct rl_sweep sweeps[] = {
     RL_SWEEP_PIXELS("width", "series=mono"),
     RL_SWEEP_PIXELS("width", "series=time"),
     RL_SWEEP_PIXELS("height", NULL),
-    {.name = "frames", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "frames", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 6, .high = 100000},
 };
 
 static const char *const scenes[] = {"lamps", NULL};

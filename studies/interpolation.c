@@ -228,7 +228,7 @@ static const struct rl_sweep sweeps[] = {
     {.name = "exponent", .of = NULL, .kind = RL_SWEEP_REAL, .low = 1, .high = 1000},
     RL_SWEEP_PIXELS("width", NULL),
     RL_SWEEP_PIXELS("height", NULL),
-    {.name = "frames", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 2, .high = 100000},
+    {.name = "frames", .of = "series=time", .kind = RL_SWEEP_WHOLE, .low = 6, .high = 100000},
 };
 
 static const char *const no_scenes[] = {NULL};
