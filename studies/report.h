@@ -12,11 +12,13 @@
 #include "results/claims.h"
 #include "results/export.h"
 
-/* The latest run of each study, in the order of rl_studies. */
+/* The latest run of each study, in the order of rl_studies; and their claims. A claim that has no number, though every case of its run was
+ * measured, stands apart: it is in no table, and its study's page lists it with the reason. */
 struct rl_report_data {
     struct rl_run *run;     /* [rl_n_studies] */
     struct rl_run *derived; /* [rl_n_studies], what follows from each (struct rl_study, derive) */
     struct rl_claims claims;
+    struct rl_claims without; /* a number: all that was planned is measured, and it did not make one */
 };
 
 int rl_report_load(struct rl_report_data *data, const char *database, struct rl_error *error);

@@ -12,22 +12,40 @@
 #include "studies/report.h"
 #include "studies/study.h"
 
-static int judge(struct rl_claims *claims, const struct rl_study *study, struct rl_run *run,
+/* Moves the claims without a number, from the first of a study's on, to those of no table. */
+static int set_apart(struct rl_report_data *data, size_t first, const struct rl_run *run,
+                     struct rl_error *error)
+{
+    int status = RL_OK;
+    size_t kept = first;
+    for (size_t i = first; i < data->claims.n; i++) {
+        const struct rl_claim c = data->claims.claim[i];
+        struct rl_claim *apart = isnan(c.value) ? rl_claims_add(&data->without, error) : NULL;
+        if (apart) {
+            *apart = c;
+            if (c.note[0] == '\0')
+                snprintf(apart->note, sizeof apart->note, "no case of the grid %.200s measures it", run->grid);
+            continue;
+        }
+        status = isnan(c.value) ? RL_ERR_SYSTEM : status;
+        data->claims.claim[kept++] = c;
+    }
+    data->claims.n = kept;
+    return status;
+}
+
+static int judge(struct rl_report_data *data, const struct rl_study *study, struct rl_run *run,
                  struct rl_error *error)
 {
-    size_t first = claims->n;
-    int status = rl_trace_begin(claims, run, error);
+    size_t first = data->claims.n;
+    int status = rl_trace_begin(&data->claims, run, error);
     if (status == RL_OK)
-        status = study->judge(claims, run, error);
-    int ended = rl_trace_end(claims, status == RL_OK ? error : NULL);
+        status = study->judge(&data->claims, run, error);
+    int ended = rl_trace_end(&data->claims, status == RL_OK ? error : NULL);
+    status = status == RL_OK ? ended : status;
     /* Where all that was planned is measured, to run it again would change nothing. */
     bool complete = rl_run_count(run, RL_RECORD_OK) == run->n_records;
-    for (size_t i = first; i < claims->n; i++) {
-        struct rl_claim *c = &claims->claim[i];
-        if (complete && isnan(c->value) && c->n_cases == 0 && c->note[0] == '\0')
-            snprintf(c->note, sizeof c->note, "no case of the grid %.200s measures it", run->grid);
-    }
-    return status == RL_OK ? ended : status;
+    return status == RL_OK && complete ? set_apart(data, first, run, error) : status;
 }
 
 int rl_report_load(struct rl_report_data *data, const char *path, struct rl_error *error)
@@ -44,7 +62,7 @@ int rl_report_load(struct rl_report_data *data, const char *path, struct rl_erro
         status = rl_database_load_run(db, rl_studies[i]->name, &data->run[i], error);
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
         if (data->run[i].n_records > 0)
-            status = judge(&data->claims, rl_studies[i], &data->run[i], error);
+            status = judge(data, rl_studies[i], &data->run[i], error);
     for (size_t i = 0; i < rl_n_studies && status == RL_OK; i++)
         if (data->run[i].n_records > 0 && rl_studies[i]->derive)
             status = rl_studies[i]->derive(&data->derived[i], &data->run[i], error);
@@ -63,6 +81,7 @@ void rl_report_clear(struct rl_report_data *data)
     free(data->run);
     free(data->derived);
     rl_claims_clear(&data->claims);
+    rl_claims_clear(&data->without);
     *data = (struct rl_report_data){0};
 }
 

@@ -214,6 +214,28 @@ static void add_reproduction(struct rl_buffer *text, const struct rl_run *run)
     rl_report_provenance(text, run, NULL);
 }
 
+/* Claims that what was measured makes no number for: their verdict would be none, and they are in no table. */
+static void add_without(struct rl_buffer *text, const struct rl_claims *without, const char *study)
+{
+    bool any = false;
+    for (size_t i = 0; i < without->n; i++) {
+        const struct rl_claim *c = &without->claim[i];
+        if (strcmp(c->study, study) != 0)
+            continue;
+        if (!any)
+            rl_buffer_add(text, "<h3 id=\"without\">Claims without a number</h3>\n<p>All cases of this run are "
+                                "measured, and none of them has what these claims take: they are neither judged "
+                                "nor in claims.tsv. A larger grid may have it.</p>\n<ul class=\"without\">\n");
+        any = true;
+        rl_buffer_add(text, "<li>");
+        rl_html_text(text, c->text);
+        rl_buffer_add(text, ": ");
+        rl_html_text(text, c->note);
+        rl_buffer_add(text, "</li>\n");
+    }
+    rl_buffer_add(text, any ? "</ul>\n" : "");
+}
+
 static int write_study(const struct rl_report_page *page, size_t i)
 {
     const struct rl_study *study = rl_studies[i];
@@ -239,6 +261,7 @@ static int write_study(const struct rl_report_page *page, size_t i)
     rl_report_missing(&text, run);
     rl_buffer_add(&text, "<h2 id=\"claims\">Claims</h2>\n");
     rl_verdict_details(&text, &rows);
+    add_without(&text, &page->data->without, study->name);
     if (rl_report_measured(run)) {
         rl_buffer_add(&text, "<h2 id=\"figures\">Figures</h2>\n");
         add_figures(&text, page, study);
