@@ -24,7 +24,8 @@ static int set_apart(struct rl_report_data *data, size_t first, const struct rl_
         if (apart) {
             *apart = c;
             if (c.note[0] == '\0')
-                snprintf(apart->note, sizeof apart->note, "no case of the grid %.200s measures it", run->grid);
+                snprintf(apart->note, sizeof apart->note, "no case of the grid %.200s measures it",
+                         run->grid);
             continue;
         }
         status = isnan(c.value) ? RL_ERR_SYSTEM : status;

@@ -223,9 +223,10 @@ static void add_without(struct rl_buffer *text, const struct rl_claims *without,
         if (strcmp(c->study, study) != 0)
             continue;
         if (!any)
-            rl_buffer_add(text, "<h3 id=\"without\">Claims without a number</h3>\n<p>All cases of this run are "
-                                "measured, and none of them has what these claims take: they are neither judged "
-                                "nor in claims.tsv. A larger grid may have it.</p>\n<ul class=\"without\">\n");
+            rl_buffer_add(text,
+                          "<h3 id=\"without\">Claims without a number</h3>\n<p>All cases of this run are "
+                          "measured, and none of them has what these claims take: they are neither judged "
+                          "nor in claims.tsv. A larger grid may have it.</p>\n<ul class=\"without\">\n");
         any = true;
         rl_buffer_add(text, "<li>");
         rl_html_text(text, c->text);

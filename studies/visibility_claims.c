@@ -101,7 +101,8 @@ static void take(struct rl_claim *c, struct rl_interval off, double margin, cons
 static void take_few(struct rl_claim *c, const struct rl_record *a, const char *of_a,
                      const struct rl_record *b, const char *of_b, const char *words)
 {
-    const struct rl_series *x = a ? rl_record_series(a, of_a) : NULL, *y = b ? rl_record_series(b, of_b) : NULL;
+    const struct rl_series *x = a ? rl_record_series(a, of_a) : NULL,
+                           *y = b ? rl_record_series(b, of_b) : NULL;
     if (!x || !y)
         return;
     struct rl_interval off = paired(x, y, 1.0);

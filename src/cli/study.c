@@ -117,10 +117,11 @@ static int export_tables(const struct rl_arguments *a, struct rl_error *error)
     if (status == RL_OK)
         status = rl_report_export(&data, folder ? folder : "build/tables", format, error);
     if (status == RL_OK && data.without.n > 0)
-        fprintf(stderr,
-                "study export: what was measured has no number for %zu claims, which are not in claims%s; the "
-                "report's pages list them\n",
-                data.without.n, rl_export_ending(format));
+        fprintf(
+            stderr,
+            "study export: what was measured has no number for %zu claims, which are not in claims%s; the "
+            "report's pages list them\n",
+            data.without.n, rl_export_ending(format));
     rl_report_clear(&data);
     return rl_exit_of(status);
 }

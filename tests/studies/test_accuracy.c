@@ -308,8 +308,8 @@ static void test_never_quiet(void **state)
     for (int fast = 0; fast < 2; fast++) {
         struct rl_run run;
         make(&run, &usual);
-        struct rl_record *r = rl_run_add(&run, &place, 2, NULL,
-                                         "part=images method=exhaustive threads=2 width=160 height=120");
+        struct rl_record *r =
+            rl_run_add(&run, &place, 2, NULL, "part=images method=exhaustive threads=2 width=160 height=120");
         double seconds[] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5}, rate = fast ? 2e9 : 5e8;
         rl_record_metric_add(r, "texel_normals", rate, rate, rate, "1/s", NULL);
         rl_record_metric_add(r, "seconds", 0.5, 0.5, 0.5, "s", NULL);

@@ -363,8 +363,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bounds_are_numbers), cmocka_unit_test(rates_are_those_of_the_finest),
-        cmocka_unit_test(verdicts_flip),    cmocka_unit_test(nothing_measured),
-        cmocka_unit_test(errors_fall),      cmocka_unit_test(every_grid_has_what_claims_need),
+        cmocka_unit_test(verdicts_flip),      cmocka_unit_test(nothing_measured),
+        cmocka_unit_test(errors_fall),        cmocka_unit_test(every_grid_has_what_claims_need),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
