@@ -1,7 +1,7 @@
 /* The integrator `exhaustive`: the sum over every texel of an environment map rendered from the very point (texel_map.h), and how far
  * off it may be.
  *
- * Its error has three parts.
+ * Its error has four parts.
  *
  *   edges     A texel that an edge passes through counts whole or not at all, as its centre is seen; its weight times what it should
  *             count, the polygon's coverage of it, less what it counts is known, and so is the sum over all: |sum| is the part, and on
@@ -11,6 +11,7 @@
  *   interior  The curvature of the weight, and its poles: the difference between maps of this size and of half of it, with edges as
  *             they should count, which is three times the error where that falls as h^2 and the error itself where it falls as h; and,
  *             lest two agree by chance, a quarter of the next difference.
+ *   grazing   An eye so close to the horizon that no square of the pole's is as low: all that it can see (see most_at_grazing).
  *   rounding  Directions are floats, the pole's integrals good to 5e-4 of what lies near to it.
  */
 #include <math.h>
@@ -56,10 +57,13 @@ static double variation_of(const struct question *q, const struct rl_texel_pole 
     double variation = fmin(1.0, part) * t->integral;
     if (!q->attenuation || v3_dot(q->surface->N, L) > 2.0 * half)
         return variation;
+    /* A corner may be the pole itself: 1/|y| has a mean of some 4 over the edge about it. */
+    struct rl_texel_pole held = *pole;
+    held.reach = 0.25 * edge;
     double most = 0.0;
     for (int i = 0; i < 4; i++)
         most = fmax(most,
-                    rl_texel_weight(pole, t->face, s + (i & 1 ? half : -half), u + (i & 2 ? half : -half)));
+                    rl_texel_weight(&held, t->face, s + (i & 1 ? half : -half), u + (i & 2 ? half : -half)));
     return variation + most * rl_texel_solid_angle(s, u, half);
 }
 
@@ -153,7 +157,20 @@ static int at_size(struct level *level, const struct question *q, int size, stru
     return status;
 }
 
-static void conclude(struct rl_estimate *estimate, const struct level level[3], double tolerance)
+/* What can come back to an eye of small v_N = N.V, from a light of radiance 1 all round. At azimuth theta, with v_t = cos(theta) and a = v_N/|v_t|,
+ * D <= D_0, G <= min(1, 2 v_N/(v_N + v_t tan(delta))) where the facet faces the eye: the integral over delta is at most
+ * D_0 a (1 + 2 log(1 + 1/a)), and at most 1. Its mean over theta: a's is v_N (1 + log(2/v_N)) where a < 1. */
+static double most_at_grazing(const struct question *q, int size)
+{
+    double v_n = v3_dot(q->surface->N, q->surface->V), rr = q->e->rr;
+    if (!q->attenuation || v_n >= fmax(1.0, rr) * RL_TEXEL_GRAZING / size)
+        return 0.0;
+    double d_0 = q->e->norm * fmax(1.0, 0.5 + 0.5 / rr);
+    return fmin(1.0, d_0 * v_n * (1.0 + 2.0 * log(1.0 + 1.0 / v_n)) * (1.0 + log(2.0 / v_n)));
+}
+
+static void conclude(struct rl_estimate *estimate, const struct level level[3], double grazing,
+                     double tolerance)
 {
     estimate->converged = true;
     for (int c = 0; c < 3; c++) {
@@ -161,7 +178,7 @@ static void conclude(struct rl_estimate *estimate, const struct level level[3], 
         double interior = fabs(level[0].covered[c] - level[1].covered[c]) +
                           0.25 * fabs(level[1].covered[c] - level[2].covered[c]);
         estimate->value[c] = level[0].value[c];
-        estimate->error[c] = edges + interior + 5e-4 * fabs(level[0].value[c]);
+        estimate->error[c] = edges + interior + grazing + 5e-4 * fabs(level[0].value[c]);
         estimate->converged = estimate->converged && estimate->error[c] <= tolerance;
     }
     for (int i = 0; i < 3; i++)
@@ -194,7 +211,8 @@ static int integrate(struct rl_estimate *estimate, const struct rl_surface *surf
     for (int i = 0; i < 3 && status == RL_OK; i++)
         status = at_size(&level[i], &question, size >> i, error);
     if (status == RL_OK)
-        conclude(estimate, level, options->tolerance * set->brightest);
+        conclude(estimate, level, most_at_grazing(&question, size) * set->brightest,
+                 options->tolerance * set->brightest);
     return status;
 }
 

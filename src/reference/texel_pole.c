@@ -10,8 +10,9 @@
 #define FINE 0.25
 
 /* Divisions at most: at the mirror direction as many as R_r = 1e12 needs; at L = -V, where no square is fine, until what is left weighs
- * 2^-8 of the texel; on the horizon, where the image folds over and squares along a whole line are divided, few. */
-enum { DEEPEST = 40, DEEPEST_BEHIND = 8, DEEPEST_FOLDED = 3 };
+ * 2^-8 of the texel; on the horizon, where the image folds over and squares along a whole line are divided, as many as it takes for the
+ * weight of a grazing eye, which is as high above the horizon as V, to be seen: RL_TEXEL_GRAZING tells from where on it is not. */
+enum { DEEPEST = 40, DEEPEST_BEHIND = 8, DEEPEST_FOLDED = 12 };
 
 struct rl_texel_pole rl_texel_pole_make(const struct rl_surface *surface, const struct rl_ellipsoid *e,
                                         bool attenuation, double reach)
@@ -111,13 +112,16 @@ static bool find_corners(struct point corner[4], const struct rl_texel_pole *pol
     return above != 0 && above != 4;
 }
 
-/* The mean of 1/|y| over a polygon of four corners. */
+/* The mean of 1/|y| over a polygon of four corners; 0 where it is so flat that its area is rounding, as near a fold. */
 static double mean_inverse(const struct point corner[4])
 {
-    double area = 0.0, sum = 0.0;
-    for (int i = 0; i < 4; i++)
-        sum += edge_share(&area, corner[i], corner[(i + 1) % 4]);
-    return sum / area;
+    double area = 0.0, sum = 0.0, size = 0.0;
+    for (int i = 0; i < 4; i++) {
+        struct point a = corner[i], b = corner[(i + 1) % 4];
+        sum += edge_share(&area, a, b);
+        size = fmax(size, fmax(a.x * a.x + a.y * a.y, fabs(a.x * b.y) + fabs(a.y * b.x)));
+    }
+    return fabs(area) > 1e-12 * size ? sum / area : 0.0;
 }
 
 /* Gauss and Legendre's two points along either axis. */
@@ -147,7 +151,9 @@ static double by_centre(const struct rl_texel_pole *pole, const struct square *q
     struct point corner[4];
     double u = m.x * m.x + m.y * m.y, edge = 2.0 * q->half / m.length;
     bool folded = find_corners(corner, pole, q);
-    double inverse = folded ? 1.0 / fmax(sqrt(u) / m.length, 0.25 * edge) : mean_inverse(corner);
+    double inverse = folded ? 0.0 : mean_inverse(corner);
+    if (!(inverse > 0.0))
+        inverse = 1.0 / fmax(sqrt(u) / m.length, 0.25 * edge);
     return smooth_factor(pole, &m, u) * inverse * rl_texel_solid_angle(q->s, q->t, q->half);
 }
 

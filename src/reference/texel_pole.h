@@ -40,6 +40,9 @@ double rl_texel_distance(const struct rl_texel_pole *pole, int face, double s, d
  * rl_cube_solid_angle. */
 double rl_texel_solid_angle(double s, double t, double half);
 
+/* Of the half edge of a square, times R_r: below this N.V, what weight there is above the horizon is too low for rl_texel_integral. */
+#define RL_TEXEL_GRAZING 0x1p-12
+
 /* The integral of w over the square s +- half, t +- half of a face; *evaluations grows by the squares looked at. */
 double rl_texel_integral(const struct rl_texel_pole *pole, int face, double s, double t, double half,
                          size_t *evaluations);
