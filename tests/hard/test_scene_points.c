@@ -16,7 +16,7 @@
 #include "scene/scene.h"
 #include "support/check.h"
 
-enum { POINTS_PER_OBJECT = 5 };
+enum { POINTS_PER_OBJECT = 3 };
 
 /* Asked with so much that each call takes some milliseconds. */
 static const struct rl_integrate_options asked = {
@@ -46,7 +46,10 @@ static struct rl_estimate ask(const char *name, const struct rl_surface *s, cons
     options.env_size = env_size;
     check_ok(rl_integrator_find(name)->integrate(&estimate, s, e, set, &options, &error), &error);
     for (int c = 0; c < 3; c++)
-        assert_true(isfinite(estimate.value[c]) && isfinite(estimate.error[c]) && estimate.value[c] >= 0.0);
+        if (!isfinite(estimate.value[c]) || !isfinite(estimate.error[c]) || estimate.value[c] < 0.0)
+            fail_msg("%s: %.12g +- %.3g at R_r %g, P %.9g %.9g %.9g, N %.9g %.9g %.9g, V %.9g %.9g %.9g",
+                     name, estimate.value[c], estimate.error[c], e->rr, s->P.x, s->P.y, s->P.z, s->N.x,
+                     s->N.y, s->N.z, s->V.x, s->V.y, s->V.z);
     return estimate;
 }
 
@@ -78,7 +81,7 @@ static void check_point(struct worst *worst, const struct place *place, const st
     struct rl_estimate reference = ask("reference", s, &e, set, 0);
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
         ask(others[i], s, &e, set, 0);
-    struct rl_estimate coarse = ask("exhaustive", s, &e, set, asked.env_size / 2);
+    struct rl_estimate coarse = ask("exhaustive", s, &e, set, asked.env_size / 4);
     struct rl_estimate fine = ask("exhaustive", s, &e, set, asked.env_size);
     worst->short_of += !reference.converged;
     worst->n++;
@@ -149,7 +152,7 @@ static struct worst check_scene(const char *name, const char *path)
     worst.fine = sqrt(worst.fine / (3.0 * (double)worst.n));
     print_message(
         "%-12s %zu points, %zu reference short of 1e-6, exhaustive off by %.2g at %d, %.2g at %d texels\n",
-        name, worst.n, worst.short_of, worst.coarse, asked.env_size / 2, worst.fine, asked.env_size);
+        name, worst.n, worst.short_of, worst.coarse, asked.env_size / 4, worst.fine, asked.env_size);
     return worst;
 }
 
@@ -165,17 +168,45 @@ static void test_points(void **state)
         struct worst worst = check_scene(files.name[i], files.path[i]);
         assert_true(worst.n >= 3);
         bad += worst.bad;
-        /* Where there is something to come nearer to. */
-        scenes += worst.coarse > 1e-4;
-        nearer += worst.coarse > 1e-4 && worst.fine < worst.coarse;
+        /* Where lights are as large as texels: of a needle a map sees nothing, however fine. */
+        scenes += worst.coarse > 1e-3;
+        nearer += worst.coarse > 1e-3 && worst.fine < worst.coarse;
     }
     assert_int_equal(bad, 0);
     print_message("nearer with the finer map: %zu of %zu scenes\n", nearer, scenes);
     assert_true(scenes >= 6 && nearer == scenes);
 }
 
+/* An eye ever closer to the horizon: the weight shrinks to a spot as high as V and R_r times as thin, which no texel resolves. */
+static void test_grazing(void **state)
+{
+    (void)state;
+    static const double height[] = {1e-2, 1e-4, 1e-6, 1e-9, 1e-100};
+    static const double ratio[] = {1.0, 10.0, 300.0};
+    static const rl_vec3 vertex[] = {
+        {-10.0, -10.0, -13.0}, {10.0, -10.0, -13.0}, {10.0, 10.0, -13.0}, {-10.0, 10.0, -13.0}};
+    const rl_vec3 *const vertices[] = {vertex};
+    const size_t n_vertices[] = {4};
+    struct rl_error error;
+    struct rl_light_set *set;
+    check_ok(rl_light_set_from_polygons(&set, vertices, n_vertices, 1, &error), &error);
+    for (size_t r = 0; r < sizeof ratio / sizeof ratio[0]; r++)
+        for (size_t i = 0; i < sizeof height / sizeof height[0]; i++) {
+            const struct rl_ellipsoid e = rl_ellipsoid_make(ratio[r]);
+            const struct rl_surface s = {
+                .P = {0.1, 0.0, -2.0}, .N = {0.0, 1.0, 0.0}, .V = v3_normalize(v3(-0.11, height[i], 0.99))};
+            struct rl_estimate reference = ask("reference", &s, &e, set, 0),
+                               map = ask("exhaustive", &s, &e, set, asked.env_size);
+            check_near(map.value[0], reference.value[0], map.error[0] + reference.error[0]);
+        }
+    rl_light_set_free(set);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_points)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_grazing),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
