@@ -33,4 +33,20 @@ void exact_ellipsoid_pdf(mpfr_t out[], mpfr_t in[]);
 void exact_ellipsoid_cdf(mpfr_t out[], mpfr_t in[]);
 void exact_ellipsoid_inverse(mpfr_t out[], mpfr_t in[]);
 
+/* exact_effects.c, exact_highlights.c, exact_fresnel.c, exact_fur.c */
+void exact_ambient(mpfr_t out[], mpfr_t in[]);
+void exact_diffuse(mpfr_t out[], mpfr_t in[]);
+void exact_diffuse_area_polygon(mpfr_t out[], mpfr_t in[]);
+void exact_point_light(mpfr_t out[], mpfr_t in[]);
+void exact_phong(mpfr_t out[], mpfr_t in[]);
+void exact_blinn(mpfr_t out[], mpfr_t in[]);
+void exact_reflectance(mpfr_t out[], mpfr_t in[]);
+void exact_fresnel(mpfr_t out[], mpfr_t in[]);
+void exact_cook_torrance(mpfr_t out[], mpfr_t in[]);
+void exact_kajiya(mpfr_t out[], mpfr_t in[]);
+void exact_kajiya_printed(mpfr_t out[], mpfr_t in[]);
+void exact_lengyel(mpfr_t out[], mpfr_t in[]);
+void exact_goldman(mpfr_t out[], mpfr_t in[]);
+void exact_goldman_printed(mpfr_t out[], mpfr_t in[]);
+
 #endif
