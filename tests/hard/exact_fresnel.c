@@ -18,7 +18,9 @@ num exact_fresnel_of(num n, num k, num c)
 {
     num none = number(0.0);
     complex_num m = complex_of(n, minus(none, k)), m_m = complex_times(m, m), c_c = complex_of(c, none);
-    complex_num q = complex_root(complex_minus(m_m, complex_of(minus(number(1.0), square(c)), none)));
+    /* 1 - c^2 would need 600 digits for the least c. */
+    complex_num q = complex_root(
+        complex_plus(complex_minus(m_m, complex_of(number(1.0), none)), complex_of(square(c), none)));
     complex_num p = complex_times(m_m, c_c);
     num r_s = quotient_of_norms(complex_minus(c_c, q), complex_plus(c_c, q));
     num r_p = quotient_of_norms(complex_minus(p, q), complex_plus(p, q));
