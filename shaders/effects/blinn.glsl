@@ -6,12 +6,15 @@
 
 vec3 reflect_blinn(Surface s, vec3 L, vec4 params[2])
 {
-    vec3 sum = L + s.V;
     float n_l = dot(s.N, L);
     float n_v = dot(s.N, s.V);
-    float length_sum = length(sum);
-    if (!(n_l > 0.0) || !(n_v > 0.0) || !(length_sum > 0.0))
+    if (!(n_l > 0.0) || !(n_v > 0.0))
         return vec3(0.0);
-    float lobe = pow(min((n_l + n_v) / length_sum, 1.0), params[0].w);
-    return lobe * reflectance(params[0].rgb, params[1].x, 0.5 * length_sum);
+    Half h = half_vector(L, s.V);
+    float n_h = dot(s.N, h.H);
+    if (!(h.cosine > 0.0) || !(n_h > 0.0))
+        return vec3(0.0);
+    vec3 across = cross(s.N, h.H);
+    float lobe = power_of_cosine(dot(across, across), n_h * n_h, params[0].w);
+    return lobe * reflectance(params[0].rgb, params[1].x, h.cosine);
 }

@@ -7,15 +7,18 @@
  * times the irradiance perpendicular to L; W as in phong.c, but of the angle at which the facet is hit. The radiance is the same with
  * light and eye exchanged. With 4n it is about as narrow as Phong's with n, for delta is half of gamma near the mirror direction. */
 #include "effects/highlight.h"
+#include "model/half.h"
 
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
     rgb[0] = rgb[1] = rgb[2] = 0.0;
-    rl_vec3 sum = v3_add(L, s->V);
-    double length = v3_length(sum), n_l = v3_dot(s->N, L), n_v = v3_dot(s->N, s->V);
-    if (!(n_l > 0.0) || !(n_v > 0.0) || !(length > 0.0))
+    double n_l = v3_dot(s->N, L), n_v = v3_dot(s->N, s->V);
+    if (!(n_l > 0.0) || !(n_v > 0.0))
         return;
-    rl_lobe_sum(rgb, params, pow(fmin((n_l + n_v) / length, 1.0), params[0][3]), 0.5 * length);
+    struct rl_half h = rl_half_make(L, s->V);
+    double lobe = rl_power_of_cosine(v3_length(v3_cross(s->N, h.H)), v3_dot(s->N, h.H), params[0][3]);
+    /* 1 - cos(beta) = sin^2/(1 + cos) */
+    rl_lobe_sum(rgb, params, lobe, h.sin_sin / (1.0 + h.cosine));
 }
 
 static const struct rl_effect_param param[] = {RL_LOBE_KEYS("n of cos^n(delta)"), {0}};
@@ -26,9 +29,10 @@ const struct rl_effect rl_effect_blinn = {
     .sees = RL_SEES_SOURCES,
     .roles = RL_ROLE_SPECULAR,
     .param = param,
+    .modules = {"common/half", "common/lobe"},
     .n_params = 2,
     .pack = rl_lobe_pack,
     .reflect = reflect,
     .absolute = 1e-6,
-    .relative = 1e-3,
+    .relative = 1e-5,
 };

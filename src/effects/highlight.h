@@ -5,6 +5,7 @@
 
 #include "effects/effect.h"
 #include "model/fresnel.h"
+#include "model/lobe.h"
 
 /* ---- Lobes: phong, blinn ---- */
 
@@ -31,10 +32,10 @@ static inline void rl_lobe_pack(const double *value, double params[][4])
     params[1][1] = params[1][2] = params[1][3] = 0.0;
 }
 
-/* W lobe, W = k_s + g (1 - k_s) (1 - cosine)^5 */
-static inline void rl_lobe_sum(double rgb[3], double params[][4], double lobe, double cosine)
+/* W lobe, W = k_s + g (1 - k_s) (1 - cos)^5, of 1 - cos: the difference itself would cancel near normal incidence. */
+static inline void rl_lobe_sum(double rgb[3], double params[][4], double lobe, double one_less_cosine)
 {
-    double grazing = params[1][0] * pow(fmax(0.0, 1.0 - cosine), 5.0);
+    double grazing = params[1][0] * pow(one_less_cosine, 5.0);
     for (int c = 0; c < 3; c++)
         rgb[c] = lobe * (params[0][c] + grazing * (1.0 - params[0][c]));
 }

@@ -14,11 +14,12 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
 {
     rgb[0] = rgb[1] = rgb[2] = 0.0;
     double n_l = v3_dot(s->N, L);
-    double r_l = v3_dot(v3_reflect(s->V, s->N), L);
-    if (!(n_l > 0.0) || !(r_l > 0.0))
+    if (!(n_l > 0.0))
         return;
-    /* Rounded a little above 1, a cosine to a large power is large. */
-    rl_lobe_sum(rgb, params, pow(fmin(r_l, 1.0), params[0][3]), n_l);
+    rl_vec3 R = v3_reflect(s->V, s->N), off = v3_sub(s->N, L);
+    double lobe = rl_power_of_cosine(v3_length(v3_cross(R, L)), v3_dot(R, L), params[0][3]);
+    /* 1 - N.L = |N - L|^2/2 */
+    rl_lobe_sum(rgb, params, lobe, 0.5 * v3_dot(off, off));
 }
 
 static const struct rl_effect_param param[] = {RL_LOBE_KEYS("n of cos^n(gamma)"), {0}};
@@ -29,9 +30,10 @@ const struct rl_effect rl_effect_phong = {
     .sees = RL_SEES_SOURCES,
     .roles = RL_ROLE_SPECULAR,
     .param = param,
+    .modules = {"common/lobe"},
     .n_params = 2,
     .pack = rl_lobe_pack,
     .reflect = reflect,
     .absolute = 1e-6,
-    .relative = 1e-3,
+    .relative = 1e-5,
 };
