@@ -36,8 +36,11 @@ int rl_interpolation_case_make(struct rl_interpolation_case *c, const char *para
         const struct rl_plan_material *m = &c->plan.material[0];
         for (size_t i = 0; i < m->n_effects; i++)
             m->effect[i]->pack(rl_effect_given(&c->scene.material[0], m->effect[i]), c->params[i]);
-        const struct rl_interpolated_shading shading = {
-            m->effect, m->n_effects, c->params, &c->lights, c->scene.camera.position, false};
+        const struct rl_interpolated_shading shading = {.effect = m->effect,
+                                                        .n_effects = m->n_effects,
+                                                        .params = c->params,
+                                                        .lights = &c->lights,
+                                                        .eye = c->scene.camera.position};
         status = rl_interpolated_make(&c->interpolated, &c->scene.object[0].mesh, m->interpolation, &shading,
                                       threads, error);
     }

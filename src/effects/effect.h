@@ -66,18 +66,30 @@ struct rl_area_light {
         [3]; /* of a closed mesh's polygons half the mesh's: a ray into a convex body meets two of its faces */
 };
 
+/* What stands between a point and the lights: given by whoever knows what hides what, asked by rl_effects_shade. */
+struct rl_visibility {
+    /* Whether something hides what lies in direction L (unit) at this distance; INFINITY: parallel light. */
+    bool (*hidden)(void *user, const struct rl_surface *s, rl_vec3 L, double distance);
+    /* The share, 0 to 1, that arrives of the irradiance which the lights' area `index` would give if nothing hid it; *error: how far off it may
+     * be. Exactly 1 where nothing does. */
+    double (*share)(void *user, const struct rl_surface *s, size_t index, double *error);
+    void *user;
+};
+
 /* The lights of a scene as effects see them; see rl_scene_lights_make. */
 struct rl_lights {
+    const struct rl_visibility *visibility; /* NULL: nothing hides them */
     size_t n_points, n_sources, n_areas;
     struct rl_area_light *area;   /* every polygon of every shaped light */
     struct rl_point_light *point; /* every shaped light */
     const struct rl_source *source;
 };
 
-/* Light from one direction: unit L and the irradiance on a plane perpendicular to it. */
+/* Light from one direction: unit L, the irradiance on a plane perpendicular to it, and how far it has come. */
 struct rl_incident {
     rl_vec3 L;
     double irradiance[3];
+    double distance; /* INFINITY: parallel */
 };
 
 /* What arrives at P. False: the light is at P itself and has no direction, and gives nothing. */
@@ -190,6 +202,10 @@ bool rl_effect_wanted(const struct rl_material *material, const struct rl_effect
 /* The sum of effects over all lights, in the order of their functions, lights and rows. params[i] is what effect i packed. */
 void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
                       const struct rl_surface *s, const struct rl_lights *lights, double rgb[3]);
+/* The same, and how far off the sum may be by what is known of the lights' visibility. */
+void rl_effects_shade_within(const struct rl_effect *const *effects, size_t n,
+                             double params[][RL_EFFECT_PARAMS][4], const struct rl_surface *s,
+                             const struct rl_lights *lights, double rgb[3], double error[3]);
 /* The product of the effects' factors, 1 without any. */
 void rl_effects_factor(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
                        const struct rl_surface *s, double rgb[3]);

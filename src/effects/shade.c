@@ -20,6 +20,7 @@ static bool arrive(struct rl_incident *incident, rl_vec3 d, const double strengt
     if (!(r_r > 0.0))
         return false;
     incident->L = v3_scale(1.0 / sqrt(r_r), d);
+    incident->distance = sqrt(r_r) * sqrt(unit);
     bool finite = true;
     for (int c = 0; c < 3; c++) {
         incident->irradiance[c] = strength[c] > 0.0 ? strength[c] / r_r / unit : 0.0;
@@ -33,6 +34,7 @@ bool rl_incident_from_source(struct rl_incident *incident, const struct rl_sourc
     if (!source->parallel)
         return arrive(incident, v3_sub(source->at, P), source->strength);
     incident->L = source->at;
+    incident->distance = INFINITY;
     for (int c = 0; c < 3; c++)
         incident->irradiance[c] = source->strength[c];
     return true;
@@ -45,6 +47,7 @@ bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_poi
     if (!(r_r > 0.0))
         return false;
     incident->L = v3_scale(1.0 / sqrt(r_r), d);
+    incident->distance = sqrt(r_r);
     bool flat = v3_dot(light->normal, light->normal) > 0.0;
     double facing = flat ? fabs(v3_dot(light->normal, incident->L)) : 1.0;
     for (int c = 0; c < 3; c++)
@@ -57,7 +60,8 @@ struct sum {
     size_t n;
     double (*params)[RL_EFFECT_PARAMS][4];
     const struct rl_surface *s;
-    double *rgb;
+    const struct rl_visibility *visibility; /* NULL: nothing hides the lights */
+    double *rgb, *error;
 };
 
 static void add_incident(const struct sum *sum, const struct rl_incident *incident, unsigned sees)
@@ -70,19 +74,30 @@ static void add_incident(const struct sum *sum, const struct rl_incident *incide
         for (int c = 0; c < 3; c++)
             all[c] += part[c];
     }
+    const struct rl_visibility *v = sum->visibility;
+    /* Most lights that do not arrive are behind the surface: nothing is asked about them. */
+    bool dark = !(all[0] > 0.0) && !(all[1] > 0.0) && !(all[2] > 0.0);
+    if (v && (dark || v->hidden(v->user, sum->s, incident->L, incident->distance)))
+        return;
     for (int c = 0; c < 3; c++)
         sum->rgb[c] += incident->irradiance[c] * all[c];
 }
 
-static void add_area(const struct sum *sum, const struct rl_area_light *light)
+static void add_area(const struct sum *sum, const struct rl_area_light *light, size_t index)
 {
-    double part[3];
+    double part[3], share = 1.0, error = 0.0;
+    bool asked = !sum->visibility;
     for (size_t i = 0; i < sum->n; i++) {
         if (!sum->effects[i]->area)
             continue;
+        if (!asked)
+            share = sum->visibility->share(sum->visibility->user, sum->s, index, &error);
+        asked = true;
         sum->effects[i]->area(sum->s, light->vertex, light->n, sum->params[i], part);
-        for (int c = 0; c < 3; c++)
-            sum->rgb[c] += light->radiance[c] * part[c];
+        for (int c = 0; c < 3; c++) {
+            sum->rgb[c] += light->radiance[c] * part[c] * share;
+            sum->error[c] += light->radiance[c] * part[c] * error;
+        }
     }
 }
 
@@ -93,13 +108,15 @@ enum rl_effect_gives rl_effect_gives(const struct rl_effect *effect)
     return effect->factor ? RL_GIVES_FACTOR : RL_GIVES_REFLECTED;
 }
 
-void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
-                      const struct rl_surface *s, const struct rl_lights *lights, double rgb[3])
+void rl_effects_shade_within(const struct rl_effect *const *effects, size_t n,
+                             double params[][RL_EFFECT_PARAMS][4], const struct rl_surface *s,
+                             const struct rl_lights *lights, double rgb[3], double error[3])
 {
-    const struct sum sum = {effects, n, params, s, rgb};
+    const struct sum sum = {effects, n, params, s, lights->visibility, rgb, error};
     struct rl_incident incident;
     double part[3];
     rgb[0] = rgb[1] = rgb[2] = 0.0;
+    error[0] = error[1] = error[2] = 0.0;
     for (size_t i = 0; i < n; i++) {
         if (!effects[i]->constant)
             continue;
@@ -114,7 +131,14 @@ void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double p
         if (rl_incident_from_centroid(&incident, &lights->point[i], s->P))
             add_incident(&sum, &incident, RL_SEES_CENTROIDS);
     for (size_t i = 0; i < lights->n_areas; i++)
-        add_area(&sum, &lights->area[i]);
+        add_area(&sum, &lights->area[i], i);
+}
+
+void rl_effects_shade(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],
+                      const struct rl_surface *s, const struct rl_lights *lights, double rgb[3])
+{
+    double error[3];
+    rl_effects_shade_within(effects, n, params, s, lights, rgb, error);
 }
 
 void rl_effects_factor(const struct rl_effect *const *effects, size_t n, double params[][RL_EFFECT_PARAMS][4],

@@ -13,5 +13,7 @@ rl_batch_function *rl_batch_for(const struct rl_lines *lines, enum rl_simd simd)
         [RL_SIMD_AVX2] = BATCH(rl_batch_avx2),
         [RL_SIMD_AVX512] = BATCH(rl_batch_avx512),
     };
-    return lines->stretch == 1.0 && lines->e->rr >= 1.0 && !lines->occlusion ? functions[simd] : NULL;
+    return lines->stretch == 1.0 && lines->e->rr >= 1.0 && !lines->occlusion && !lines->irradiance
+               ? functions[simd]
+               : NULL;
 }

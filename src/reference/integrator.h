@@ -46,6 +46,9 @@ struct rl_integrate_options {
     double confidence;   /* of those: the error is the half width of the interval of this level; 0: 0.99 */
     int env_size;        /* of `exhaustive`: texels along a face's edge; 0: 512 */
     struct rl_occlusion *occlusion; /* of the reference: seen from this very point; NULL: nothing hides */
+    /* Of the reference, with V = N and attenuation (which here is no more than the horizon): E/pi, the irradiance, in place of L_o. The
+     * lines are then the meridians about N, and a stretch of one gives half the difference of its ends' squared sines. */
+    bool irradiance;
 };
 
 struct rl_estimate {

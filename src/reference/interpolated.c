@@ -1,6 +1,8 @@
 /* Radiance at vertices and of triangles (see interpolated.h). */
 #include "reference/interpolated.h"
 
+#include <math.h>
+#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,11 +24,18 @@ static struct place place_of_triangle(const struct rl_mesh *mesh, size_t i)
     return place;
 }
 
-static void shade(double rgb[3], const struct rl_interpolated_shading *shading, const struct place *at,
-                  double side)
+static void shade(double rgb[3], double error[3], const struct rl_interpolated_shading *shading,
+                  const struct place *at, double side)
 {
+    struct rl_lights lights = *shading->lights;
+    if (shading->shadows)
+        lights.visibility =
+            rl_shadows_see(&shading->view[omp_get_thread_num()], shading->shadows, shading->object);
     const struct rl_surface s = {at->P, v3_scale(side, at->N), v3_normalize(v3_sub(shading->eye, at->P))};
-    rl_effects_shade(shading->effect, shading->n_effects, shading->params, &s, shading->lights, rgb);
+    double off[3];
+    rl_effects_shade_within(shading->effect, shading->n_effects, shading->params, &s, &lights, rgb, off);
+    for (int c = 0; c < 3; c++)
+        error[c] = fmax(error[c], off[c]);
 }
 
 int rl_interpolated_make(struct rl_interpolated *interpolated, const struct rl_mesh *mesh,
@@ -46,13 +55,15 @@ int rl_interpolated_make(struct rl_interpolated *interpolated, const struct rl_m
         rl_interpolated_clear(interpolated);
         return rl_fail_memory(error, "the shading of vertices");
     }
-#pragma omp parallel for num_threads(threads)
+    double error_rgb[3] = {0.0, 0.0, 0.0};
+#pragma omp parallel for num_threads(threads) reduction(max : error_rgb)
     for (size_t i = 0; i < n; i++) {
         const struct place at = (constant ? place_of_triangle : place_of_vertex)(mesh, i);
-        shade(radiance[i], shading, &at, 1.0);
+        shade(radiance[i], error_rgb, shading, &at, 1.0);
         if (behind)
-            shade(behind[i], shading, &at, -1.0);
+            shade(behind[i], error_rgb, shading, &at, -1.0);
     }
+    memcpy(interpolated->error, error_rgb, sizeof error_rgb);
     return RL_OK;
 }
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "effects/effect.h"
 #include "model/material.h"
+#include "reference/shadows.h"
 #include "scene/mesh.h"
 
 /* What is evaluated, seen from `eye`. */
@@ -18,7 +19,10 @@ struct rl_interpolated_shading {
     double (*params)[RL_EFFECT_PARAMS][4]; /* what effect i packed */
     const struct rl_lights *lights;
     rl_vec3 eye;
-    bool both_sides; /* back faces are seen, too: shaded with -N */
+    bool both_sides;                  /* back faces are seen, too: shaded with -N */
+    const struct rl_shadows *shadows; /* NULL: nothing hides the lights */
+    struct rl_shadows_view *view;     /* with shadows: one a thread */
+    size_t object;                    /* with shadows: whose mesh it is */
 };
 
 struct rl_interpolated {
@@ -26,6 +30,7 @@ struct rl_interpolated {
     enum rl_interpolation interpolation;
     double (*radiance)[3]; /* RGB of each vertex, or `constant`: of each triangle */
     double (*behind)[3];   /* the same from behind; NULL: that is not seen */
+    double error[3];       /* how far off any of them may be, by what is known of the lights' visibility */
 };
 
 /* Evaluates all of the mesh, which must outlive the result; of `phong` nothing, for nothing of the kind is asked of it. */

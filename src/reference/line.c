@@ -132,6 +132,9 @@ static void sort_crossings(struct rl_crossing *crossing, size_t n)
 static double inner_integral(const struct rl_lines *lines, struct line *line, const struct rl_crossing *a,
                              const struct rl_crossing *b)
 {
+    /* L is in the plane of t and N: its part along t is the sine of its angle from N. */
+    if (lines->irradiance)
+        return 0.5 * (b->l_t * fabs(b->l_t) - a->l_t * fabs(a->l_t));
     if (a->full && b->full)
         return rl_inner_mass(lines->e, a->delta, b->delta);
     if (!line->has_zones)
@@ -140,9 +143,11 @@ static double inner_integral(const struct rl_lines *lines, struct line *line, co
     return rl_inner_attenuated(&line->zones, lines->e, lines->stretch, a->delta, b->delta);
 }
 
-/* What an error of a few units in the last place of the normal's angle does to U. */
+/* What an error of a few units in the last place of the normal's angle does to U, or to half a squared sine. */
 static double rounding(const struct rl_lines *lines, const struct rl_crossing *at)
 {
+    if (lines->irradiance)
+        return 8.0 * DBL_EPSILON;
     double density = rl_ellipsoid_pdf_sincos(lines->e, at->delta.s, at->delta.c);
     double l = lines->stretch, lc = l * at->normal.c, s = at->normal.s;
     if (l < 1.0)

@@ -221,6 +221,7 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         .e = e,
         .set = set,
         .attenuation = options->attenuation,
+        .irradiance = options->irradiance,
         .merged = set->twin != NULL && !options->occlusion,
         .stretch = stretch,
         .v_x = V.x,

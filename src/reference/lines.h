@@ -79,7 +79,7 @@ struct rl_extent {
 struct rl_lines {
     const struct rl_ellipsoid *e;
     const struct rl_light_set *set;
-    bool attenuation;
+    bool attenuation, irradiance;
     double stretch;       /* see inner.h */
     double v_x, v_y, v_n; /* V in the frame */
     size_t n_edges, n_polygons;
@@ -113,7 +113,7 @@ bool rl_lines_hit(const struct rl_lines *lines, const struct rl_seen_polygon *po
 /* 1/distance to the light hit first in direction L, in the frame; 0 if none is. */
 double rl_lines_nearness(const struct rl_lines *lines, rl_vec3 L);
 
-/* value[0..2]: integral over delta of D G L_e, RGB; value[3]: what rounding may have done to it. Returns whether the line meets any
+/* value[0..2]: integral over delta of D G L_e (irradiance: over the angle from N, of L_e times sine and cosine), RGB; value[3]: what rounding may have done to it. Returns whether the line meets any
  * light. Uses the scratch inside `lines`. */
 bool rl_lines_integrate(double value[4], const struct rl_lines *lines, double theta);
 

@@ -156,6 +156,8 @@ static bool may_hide(const struct rl_occluders_view *view, const struct cone *c)
     const struct rl_scene *scene = view->occluders->scene;
     for (size_t i = 0; i < scene->n_lights; i++) {
         const struct rl_light *light = &scene->light[i];
+        if (view->light != RL_OCCLUDERS_LIGHTS && view->light != i)
+            continue;
         struct cone l = cone_about(v3_sub(light->centre, view->P), light->radius);
         if (c->distance - c->radius <= l.distance + l.radius && cones_meet(c, &l))
             return true;
@@ -217,11 +219,13 @@ static bool begin(struct rl_occluders_view *view, const struct rl_occluders *occ
     return view->found && view->facing && rl_occlusion_begin(&view->occlusion, surface);
 }
 
-enum rl_occluders_seen rl_occluders_see(struct rl_occluders_view *view, const struct rl_occluders *occluders,
-                                        const struct rl_surface *surface, size_t own, bool attenuation)
+static enum rl_occluders_seen see(struct rl_occluders_view *view, const struct rl_occluders *occluders,
+                                  const struct rl_surface *surface, size_t own, bool attenuation,
+                                  size_t light)
 {
     const struct rl_scene *scene = occluders->scene;
     bool some = false;
+    view->light = light;
     view->P = surface->P;
     view->occluders = occluders;
     for (size_t i = 0; i < scene->n_objects; i++) {
@@ -236,6 +240,19 @@ enum rl_occluders_seen rl_occluders_see(struct rl_occluders_view *view, const st
         some = true;
     }
     return some ? RL_OCCLUDERS_SOME : RL_OCCLUDERS_NONE;
+}
+
+enum rl_occluders_seen rl_occluders_see(struct rl_occluders_view *view, const struct rl_occluders *occluders,
+                                        const struct rl_surface *surface, size_t own, bool attenuation)
+{
+    return see(view, occluders, surface, own, attenuation, RL_OCCLUDERS_LIGHTS);
+}
+
+enum rl_occluders_seen rl_occluders_see_light(struct rl_occluders_view *view,
+                                              const struct rl_occluders *occluders,
+                                              const struct rl_surface *surface, size_t own, size_t light)
+{
+    return see(view, occluders, surface, own, true, light);
 }
 
 void rl_occluders_view_clear(struct rl_occluders_view *view)

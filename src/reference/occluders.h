@@ -23,9 +23,12 @@ struct rl_occluders_view {
     const struct rl_occluders *occluders;
     rl_vec3 P;
     size_t own;
+    size_t light;    /* the only one that counts; RL_OCCLUDERS_LIGHTS: all do */
     uint32_t *found; /* scratch of a mesh */
     unsigned char *facing;
 };
+
+#define RL_OCCLUDERS_LIGHTS SIZE_MAX
 
 enum rl_occluders_seen {
     RL_OCCLUDERS_NONE, /* nothing can stand between: proved by bounding spheres */
@@ -41,6 +44,10 @@ void rl_occluders_free(struct rl_occluders *occluders);
 /* From a point of object `own`; attenuation: nothing below the point's horizon counts. Keeps `occluders`. */
 enum rl_occluders_seen rl_occluders_see(struct rl_occluders_view *view, const struct rl_occluders *occluders,
                                         const struct rl_surface *surface, size_t own, bool attenuation);
+/* The same of what may hide one light, and nothing below the horizon. */
+enum rl_occluders_seen rl_occluders_see_light(struct rl_occluders_view *view,
+                                              const struct rl_occluders *occluders,
+                                              const struct rl_surface *surface, size_t own, size_t light);
 void rl_occluders_view_clear(struct rl_occluders_view *view);
 
 #endif

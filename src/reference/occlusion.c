@@ -131,6 +131,7 @@ static void decide(struct rl_part *part, struct rl_occlusion *o, const struct rl
     part->doubtful = !found || too_near(before, L) || too_near(after, L);
     part->visible = !found || !o->ray(o->user, v3_madd(world, L.z, o->frame.N), 1.0 / nearness);
     o->rays += found;
+    o->hidden += !part->visible;
 }
 
 size_t rl_occlusion_split(struct rl_occlusion *o, const struct rl_lines *lines, double cos_theta,

@@ -57,7 +57,7 @@ struct rl_occlusion {
     struct rl_turn *turn; /* scratch of rl_occlusion_breaks */
     struct rl_cut *cut;   /* scratch of a line */
     struct rl_part *part; /* scratch of a line */
-    size_t rays;          /* asked so far */
+    size_t rays, hidden;  /* asked so far, and how many of them met something */
 };
 
 /* Starts a view from this surface point, without edges. What was allocated before is kept for the next view. False: out of

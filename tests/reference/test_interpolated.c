@@ -28,7 +28,12 @@ static int set_up(void **state)
 
 static struct rl_interpolated_shading shading(void)
 {
-    return (struct rl_interpolated_shading){effects, 1, params, &lights, v3(0.0, 0.0, 5.0), true};
+    return (struct rl_interpolated_shading){.effect = effects,
+                                            .n_effects = 1,
+                                            .params = params,
+                                            .lights = &lights,
+                                            .eye = v3(0.0, 0.0, 5.0),
+                                            .both_sides = true};
 }
 
 static void make_sphere(struct rl_mesh *mesh)
