@@ -199,10 +199,11 @@ static int print(struct rl_scene *scene, const struct rl_arguments *a, struct rl
     struct rl_rows rows;
     rl_rows_begin(&rows, format, (const char *const[]){"kind", "name", "detail", NULL});
     effect_rows(&rows, scene, &plan);
-    if (plan.on_cpu && settings.shadows)
+    if (plan.shadows)
         row(&rows, "effect", "shadows",
-            "of every highlight: lights hidden by other objects; lines are cut at silhouettes, Embree's rays "
-            "decide");
+            "of every effect and highlight: lights hidden by other objects, seen or not; rays in double "
+            "precision, lines "
+            "cut at silhouettes");
     sphere_rows(&rows, scene, &plan);
     texture_rows(&rows, scene, &plan);
     buffer_rows(&rows, scene, &plan);

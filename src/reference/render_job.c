@@ -21,6 +21,10 @@ void rl_render_job_clear(struct rl_render_job *job)
     for (int i = 0; i < job->n_views; i++)
         rl_occluders_view_clear(&job->view[i]);
     free(job->view);
+    for (int i = 0; i < job->n_views && job->shadow_view; i++)
+        rl_shadows_view_clear(&job->shadow_view[i]);
+    free(job->shadow_view);
+    rl_shadows_free(job->shadows);
     rl_occluders_free(job->occluders);
     rl_shadow_rays_free(job->rays);
     rl_visible_free(job->visible);
@@ -61,11 +65,30 @@ static int make_interpolated(struct rl_render_job *job, int threads, struct rl_e
             continue;
         const struct rl_render_shader *s = rl_render_shader_of(job, i);
         const struct rl_interpolated_shading shading = {
-            s->plan->effect, s->plan->n_effects,          (double(*)[RL_EFFECT_PARAMS][4])s->effect_params,
-            &job->seen,      job->scene->camera.position, !job->plan->settings.culling};
+            .effect = s->plan->effect,
+            .n_effects = s->plan->n_effects,
+            .params = (double(*)[RL_EFFECT_PARAMS][4])s->effect_params,
+            .lights = &job->seen,
+            .eye = job->scene->camera.position,
+            .both_sides = !job->plan->settings.culling,
+            .shadows = job->shadows,
+            .view = job->shadow_view,
+            .object = i,
+        };
         status = rl_interpolated_make(&job->interpolated[i], &job->scene->object[i].mesh,
                                       s->plan->interpolation, &shading, threads, error);
     }
+    return status;
+}
+
+static int make_shadows(struct rl_render_job *job, struct rl_error *error)
+{
+    int status = rl_shadow_rays_make(&job->rays, job->scene, error);
+    if (status == RL_OK)
+        status = rl_occluders_make(&job->occluders, job->scene, job->rays, error);
+    if (status == RL_OK)
+        status = rl_shadows_make(&job->shadows, job->scene, job->rays, job->occluders, &job->seen, NULL,
+                                 job->plan->settings.tolerance, error);
     return status;
 }
 
@@ -73,15 +96,17 @@ int rl_render_job_make(struct rl_render_job *job, const struct rl_scene *scene, 
                        struct rl_image *image, struct rl_image *errors, int threads, struct rl_error *error)
 {
     *job = (struct rl_render_job){.scene = scene, .plan = plan, .image = image, .errors = errors};
-    if (plan->settings.shadows)
+    if (plan->shadows) {
         job->view = calloc((size_t)threads, sizeof *job->view);
+        job->shadow_view = calloc((size_t)threads, sizeof *job->shadow_view);
+    }
     job->n_views = job->view ? threads : 0;
     job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
     job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
     job->interpolated = calloc(scene->n_objects + 1, sizeof *job->interpolated);
     if (!job->reached || !job->shader || !job->environment || !job->interpolated ||
-        (plan->settings.shadows && !job->view)) {
+        (plan->shadows && (!job->view || !job->shadow_view))) {
         rl_render_job_clear(job);
         return rl_fail_memory(error, "the CPU renderer");
     }
@@ -94,12 +119,10 @@ int rl_render_job_make(struct rl_render_job *job, const struct rl_scene *scene, 
         status = rl_visible_make(&job->visible, scene, plan->settings.culling, error);
     if (status == RL_OK)
         status = make_environments(job, error);
+    if (status == RL_OK && plan->shadows)
+        status = make_shadows(job, error);
     if (status == RL_OK)
         status = make_interpolated(job, threads, error);
-    if (status == RL_OK && plan->settings.shadows)
-        status = rl_shadow_rays_make(&job->rays, scene, error);
-    if (status == RL_OK && plan->settings.shadows)
-        status = rl_occluders_make(&job->occluders, scene, job->rays, error);
     if (status != RL_OK)
         rl_render_job_clear(job);
     return status;

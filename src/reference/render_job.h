@@ -7,6 +7,7 @@
 #include "reference/interpolated.h"
 #include "reference/light_set.h"
 #include "reference/occluders.h"
+#include "reference/shadows.h"
 #include "reference/texel_map.h"
 #include "reference/visible.h"
 #include "scene/plan.h"
@@ -28,9 +29,11 @@ struct rl_render_job {
     struct rl_accuracy *reached;     /* per pixel */
     struct rl_visible *visible;
     struct rl_light_set *lights;
-    struct rl_shadow_rays *rays;    /* NULL: no shadows */
-    struct rl_occluders *occluders; /* with rays */
-    struct rl_occluders_view *view; /* with occluders: one a thread */
+    struct rl_shadow_rays *rays;         /* NULL: no shadows */
+    struct rl_occluders *occluders;      /* with rays */
+    struct rl_occluders_view *view;      /* with rays: of the highlight, one a thread */
+    struct rl_shadows *shadows;          /* with rays: of the effects */
+    struct rl_shadows_view *shadow_view; /* with rays: one a thread */
     int n_views;
     struct rl_lights seen;                /* by effects, and by methods that take points */
     struct rl_render_shader *shader;      /* per plan material */

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "base/machine.h"
@@ -95,16 +96,23 @@ static void set_pixel(const struct rl_render_job *job, int x, int y, const doubl
     off[3] = 1.0f;
 }
 
-/* The sum of the effects at the pixel's point, or what its triangle has of it. */
-static void shade(double rgb[3], const struct rl_render_job *job, const struct rl_render_shader *s,
-                  const struct rl_surface *surface, const struct rl_visible_hit *hit)
+/* The sum of the effects at the pixel's point, or what its triangle has of it; and how far off shadows may have it. */
+static void shade(double rgb[3], double error[3], const struct rl_render_job *job,
+                  const struct rl_render_shader *s, const struct rl_surface *surface,
+                  const struct rl_visible_hit *hit)
 {
-    if (s->plan->interpolation != RL_INTERPOLATION_PHONG)
-        rl_interpolated_at(rgb, &job->interpolated[hit->object], hit->triangle, hit->weight,
-                           hit->from_behind);
-    else
-        rl_effects_shade(s->plan->effect, s->plan->n_effects,
-                         (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, surface, &job->seen, rgb);
+    if (s->plan->interpolation != RL_INTERPOLATION_PHONG) {
+        const struct rl_interpolated *interpolated = &job->interpolated[hit->object];
+        rl_interpolated_at(rgb, interpolated, hit->triangle, hit->weight, hit->from_behind);
+        memcpy(error, interpolated->error, sizeof interpolated->error);
+        return;
+    }
+    struct rl_lights lights = job->seen;
+    if (job->shadows)
+        lights.visibility =
+            rl_shadows_see(&job->shadow_view[omp_get_thread_num()], job->shadows, hit->object);
+    rl_effects_shade_within(s->plan->effect, s->plan->n_effects,
+                            (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, surface, &lights, rgb, error);
 }
 
 static void draw_pixel(const struct rl_render_job *job, struct count *count, int x, int y,
@@ -126,12 +134,12 @@ static void draw_pixel(const struct rl_render_job *job, struct count *count, int
     double wanted = job->plan->settings.tolerance * job->lights->brightest;
     if (rl_accuracy_improve(reached, &estimate, wanted, pass->last)) {
         double rgb[3], error[3], factor[3];
-        shade(rgb, job, s, &surface, &hit);
+        shade(rgb, error, job, s, &surface, &hit);
         rl_effects_factor(s->plan->effect, s->plan->n_effects,
                           (double(*)[RL_EFFECT_PARAMS][4])s->effect_params, &surface, factor);
         for (int c = 0; c < 3; c++) {
             rgb[c] += s->material->specular[c] * factor[c] * estimate.value[c];
-            error[c] = s->material->specular[c] * factor[c] * estimate.error[c];
+            error[c] += s->material->specular[c] * factor[c] * estimate.error[c];
         }
         set_pixel(job, x, y, rgb, error);
     }

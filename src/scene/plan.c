@@ -93,7 +93,8 @@ static void plan_materials(struct rl_plan *plan, const struct rl_scene *scene)
 static bool choose_side(struct rl_plan *plan)
 {
     size_t on_gpu = 0;
-    /* Asked for a method of the CPU alone, a scene without any highlight is drawn there, too: the effects in double precision. */
+    /* Asked for a method of the CPU alone, or for shadows, a scene without any highlight is drawn there, too: the effects in double
+     * precision. */
     const struct rl_method *asked = rl_method_find(plan->settings.method);
     plan->on_cpu = asked && !asked->on_gpu;
     for (size_t i = 0; i < plan->n_materials; i++) {
@@ -101,7 +102,9 @@ static bool choose_side(struct rl_plan *plan)
         plan->on_cpu = plan->on_cpu || (method && !method->on_gpu);
         on_gpu += method && !method->on_cpu;
     }
-    return !plan->on_cpu || on_gpu == 0;
+    bool one_side = !plan->on_cpu || on_gpu == 0;
+    plan->on_cpu = plan->on_cpu || plan->settings.shadows;
+    return one_side;
 }
 
 /* RL_ERR_INPUT: a method that takes no other frame than the orthonormal one is asked for another. */
@@ -129,11 +132,13 @@ static const char *method_only(const struct rl_plan *plan, bool on_gpu)
     return "";
 }
 
-/* Shadows take the integral itself, for which each part of a light is there or not. */
+/* Shadows take the integral itself, for which each part of a light is there or not; without a highlight, the CPU's effects. A method that is
+ * asked for by name and has no highlight to draw is refused as well, for what it asks for is a GPU. */
 static int check_shadows(const struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
 {
-    for (size_t i = 0; i < plan->n_materials && plan->settings.shadows; i++) {
-        const struct rl_method *method = plan->material[i].method;
+    for (size_t i = 0; i <= plan->n_materials && plan->settings.shadows; i++) {
+        const struct rl_method *method =
+            i < plan->n_materials ? plan->material[i].method : rl_method_find(plan->settings.method);
         if (method && (!method->on_cpu || method->shade || method->needs_environment))
             return rl_fail(error, RL_ERR_INPUT,
                            "%s: shadows are on, which the method %s cannot draw, expected a method that "
@@ -256,6 +261,7 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
             plan->stencil = plan->stencil || plan->material[i].highlight_program >= 0;
         }
         plan_environments(plan, scene);
+        plan->shadows = settings->shadows && (!settings->drop || !rl_plan_no_shadows(plan, scene));
         status = check_depth(plan, scene, error);
         if (status == RL_OK)
             status = rl_plan_list_drops(plan, scene, error);

@@ -72,7 +72,9 @@ struct rl_plan {
     struct rl_settings settings; /* with the scene's size filled in */
     unsigned sees;               /* enum rl_effect_sees: what of the lights any effect sees */
     bool stencil;                /* some pass needs a stencil buffer; false: none is allocated */
-    bool on_cpu; /* some method is of the CPU alone: no programs, textures or passes of the GPU */
+    bool
+        on_cpu; /* some method is of the CPU alone, or shadows are on: no programs, textures or passes of the GPU */
+    bool shadows; /* objects hide lights from one another */
     size_t n_materials, n_programs, n_normal_maps, n_patterns;
     struct rl_plan_material *material; /* those that some object wears, by index in the scene */
     struct rl_plan_program *program;

@@ -316,23 +316,33 @@ static int list_effects(struct rl_plan *plan, const struct rl_scene *scene, cons
                                         : "every shaped light is behind what wears it");
 }
 
-/* Settings that were asked for and find no highlight to act on. */
-static int list_settings(struct rl_plan *plan, struct rl_error *error)
+/* An object never hides a light from itself. */
+const char *rl_plan_no_shadows(const struct rl_plan *plan, const struct rl_scene *scene)
+{
+    bool lit = plan->sees != 0;
+    for (size_t i = 0; i < plan->n_materials; i++)
+        lit = lit || plan->material[i].method;
+    if (scene->n_objects < 2)
+        return "a single object, which hides nothing from itself";
+    return lit ? NULL : "no light that could be hidden";
+}
+
+/* Settings that were asked for and find nothing to act on. */
+static int list_settings(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
 {
     const struct rl_settings *s = &plan->settings;
-    bool own_pass = false, sphere = false, highlight = false;
+    bool own_pass = false, sphere = false;
     for (size_t i = 0; i < plan->n_materials; i++) {
         own_pass = own_pass || plan->material[i].highlight_program >= 0;
         sphere = sphere || plan->material[i].sphere_program >= 0;
-        highlight = highlight || plan->material[i].method;
     }
     int status = RL_OK;
     if (s->margin_kind != RL_MARGIN_OFF && !sphere)
         status = add(plan, error, "effect", "sphere", "%s",
                      own_pass ? "no sphere is large enough for so rough a surface"
                               : "no highlight that has a pass of its own");
-    if (status == RL_OK && s->shadows && !highlight)
-        status = add(plan, error, "effect", "shadows", "no highlight");
+    if (status == RL_OK && s->shadows && !plan->shadows)
+        status = add(plan, error, "effect", "shadows", "%s", rl_plan_no_shadows(plan, scene));
     return status;
 }
 
@@ -343,5 +353,5 @@ int rl_plan_list_drops(struct rl_plan *plan, const struct rl_scene *scene, struc
         status = list_lights(plan, scene, error);
     for (size_t i = 0; i < plan->n_materials && status == RL_OK; i++)
         status = list_effects(plan, scene, &plan->material[i], error);
-    return status == RL_OK ? list_settings(plan, error) : status;
+    return status == RL_OK ? list_settings(plan, scene, error) : status;
 }
