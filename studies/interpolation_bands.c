@@ -179,7 +179,7 @@ int rl_interpolation_measure_bands(struct rl_record *r, struct rl_bench *bench, 
         return status;
     struct line l = {.c = &c, .exact = rl_parameters_match(r->parameters, "surface=exact")};
     enum rl_spent_kind outer = rl_spent_on(&bench->spent, RL_SPENT_MEASURED);
-    status = rl_visible_make(&l.visible, &c.scene, true, error);
+    status = rl_visible_make(&l.visible, &c.scene, NULL, true, error);
     if (status == RL_OK) {
         status = add_bands(r, &l, error);
         rl_visible_free(l.visible);

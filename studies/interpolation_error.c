@@ -57,7 +57,7 @@ static int make_truth(struct truth *t, const char *parameters, int threads, stru
         rl_interpolation_case_make(&c, parameters, teapot ? FINE_TEAPOT : FINE_SPHERE, threads, error);
     if (status != RL_OK)
         return status;
-    status = rl_visible_make(&visible, &c.scene, true, error);
+    status = rl_visible_make(&visible, &c.scene, NULL, true, error);
     if (status == RL_OK)
         status = find_points(t, &c, visible, error);
     rl_visible_free(visible);

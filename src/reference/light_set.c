@@ -78,7 +78,7 @@ static void add_polygon(struct rl_light_set *set, const rl_vec3 *vertex, size_t 
 
 static int finish(struct rl_light_set **set, struct rl_error *error)
 {
-    if ((*set)->n_polygons < 2 || (*set)->n_radiances > 1)
+    if ((*set)->n_polygons < 1 || (*set)->whole_polygons < 2 || (*set)->n_radiances > 1)
         return RL_OK;
     int status = rl_light_set_find_twins(*set, error);
     if (status != RL_OK) {
@@ -88,23 +88,48 @@ static int finish(struct rl_light_set **set, struct rl_error *error)
     return status;
 }
 
-int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights,
-                      struct rl_error *error)
+static void count(size_t *n_polygons, size_t *n_vertices, const struct rl_light *light)
 {
-    size_t n_polygons = 0, n_vertices = 0;
-    for (size_t i = 0; i < n_lights; i++) {
-        n_polygons += lights[i].n_polygons;
-        for (size_t j = 0; j < lights[i].n_polygons; j++)
-            n_vertices += (size_t)lights[i].polygon[j].n;
-    }
+    *n_polygons += light->n_polygons;
+    for (size_t j = 0; j < light->n_polygons; j++)
+        *n_vertices += (size_t)light->polygon[j].n;
+}
+
+int rl_light_set_make_kept(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights,
+                           const size_t *kept, size_t n_kept, struct rl_error *error)
+{
+    size_t n_polygons = 0, n_vertices = 0, whole_polygons = 0, whole_vertices = 0;
+    for (size_t i = 0; i < n_lights; i++)
+        count(&whole_polygons, &whole_vertices, &lights[i]);
+    for (size_t i = 0; i < n_kept; i++)
+        count(&n_polygons, &n_vertices, &lights[kept[i]]);
     int status = allocate(set, n_lights, n_polygons, n_vertices, error);
     if (status != RL_OK)
         return status;
+    (*set)->whole_polygons = whole_polygons;
+    (*set)->whole_vertices = whole_vertices;
     for (size_t i = 0; i < n_lights; i++)
-        for (size_t j = 0; j < lights[i].n_polygons; j++)
-            add_polygon(*set, lights[i].polygon[j].vertex, (size_t)lights[i].polygon[j].n,
-                        lights[i].radiance);
+        if (lights[i].n_polygons > 0)
+            radiance_index(*set, lights[i].radiance);
+    for (size_t i = 0; i < n_kept; i++) {
+        const struct rl_light *light = &lights[kept[i]];
+        for (size_t j = 0; j < light->n_polygons; j++)
+            add_polygon(*set, light->polygon[j].vertex, (size_t)light->polygon[j].n, light->radiance);
+    }
     return finish(set, error);
+}
+
+int rl_light_set_make(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights,
+                      struct rl_error *error)
+{
+    size_t *all = malloc((n_lights + 1) * sizeof *all);
+    if (!all)
+        return rl_fail_memory(error, "the lights");
+    for (size_t i = 0; i < n_lights; i++)
+        all[i] = i;
+    int status = rl_light_set_make_kept(set, lights, n_lights, all, n_lights, error);
+    free(all);
+    return status;
 }
 
 int rl_light_set_from_polygons(struct rl_light_set **set, const rl_vec3 *const vertices[],
@@ -126,6 +151,8 @@ int rl_light_set_from_polygons(struct rl_light_set **set, const rl_vec3 *const v
     int status = allocate(set, 1, n_polygons, n, error);
     if (status != RL_OK)
         return status;
+    (*set)->whole_polygons = n_polygons;
+    (*set)->whole_vertices = n;
     for (size_t i = 0; i < n_polygons; i++)
         add_polygon(*set, vertices[i], n_vertices[i], (const double[3]){1.0, 1.0, 1.0});
     return finish(set, error);

@@ -32,9 +32,15 @@ struct rl_light_set {
         edge; /* from each vertex to the next of its polygon: taken before P is, exact for far small lights */
     struct rl_twin *twin; /* of each edge; NULL unless there are several polygons, all of one radiance */
     double (*radiance)[3];
-    double brightest; /* component of any radiance */
-    bool grey;        /* the components of each radiance are equal */
+    double brightest;                      /* component of any radiance */
+    size_t whole_polygons, whole_vertices; /* of all lights, kept or not */
+    bool grey;                             /* the components of each radiance are equal */
 };
+
+/* Of these lights only those of the indices `kept`, ascending, for the others are nowhere to be seen: what the integral of those that are
+ * depends on, radiances and tolerance and whether it matters which light is nearest, is as with all, and so is every bit of it. */
+int rl_light_set_make_kept(struct rl_light_set **set, const struct rl_light *lights, size_t n_lights,
+                           const size_t *kept, size_t n_kept, struct rl_error *error);
 
 /* Finds the twins (twins.c). */
 int rl_light_set_find_twins(struct rl_light_set *set, struct rl_error *error);

@@ -7,7 +7,7 @@ enum { MORE = 128, SEAMS_MOST = 64, SEAM_ENDS_MOST = 64 };
 
 size_t rl_overlap_breaks_most(const struct rl_light_set *set)
 {
-    return set->n_polygons > 1 ? 8 * rl_lines_edges_most(set) + MORE : 0;
+    return set->whole_polygons > 1 ? 16 * set->whole_vertices + MORE : 0;
 }
 
 /* Breaks as they are found; `complete` until there is no room for one. */

@@ -30,6 +30,7 @@ void rl_render_job_clear(struct rl_render_job *job)
     rl_visible_free(job->visible);
     rl_light_set_free(job->lights);
     rl_scene_lights_clear(&job->seen);
+    free(job->source);
     free(job->shader);
     free(job->reached);
     for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
@@ -38,6 +39,39 @@ void rl_render_job_clear(struct rl_render_job *job)
     for (size_t i = 0; i < job->scene->n_objects && job->interpolated; i++)
         rl_interpolated_clear(&job->interpolated[i]);
     free(job->interpolated);
+}
+
+/* Those that the plan keeps. The sum over them goes in the scene's order. */
+static int make_lights(struct rl_render_job *job, struct rl_error *error)
+{
+    const struct rl_scene *scene = job->scene;
+    const struct rl_plan *plan = job->plan;
+    int status = rl_plan_lights_make(&job->seen, plan, scene, error);
+    if (status != RL_OK)
+        return status;
+    job->source = calloc(plan->n_sources + 1, sizeof *job->source);
+    if (!job->source)
+        return rl_fail_memory(error, "the lights");
+    for (size_t i = 0; i < scene->n_sources; i++)
+        for (size_t k = 0; k < plan->n_sources; k++)
+            if (plan->source[k] == i)
+                job->source[job->seen.n_sources++] = scene->source[i];
+    job->seen.source = job->source;
+    return rl_light_set_make_kept(&job->lights, scene->light, scene->n_lights, plan->light, plan->n_lights,
+                                  error);
+}
+
+static int make_visible(struct rl_render_job *job, struct rl_error *error)
+{
+    size_t n = job->scene->n_objects;
+    bool *drawn = calloc(n + 1, sizeof *drawn);
+    if (!drawn)
+        return rl_fail_memory(error, "the CPU renderer");
+    for (size_t i = 0; i < n; i++)
+        drawn[i] = job->plan->object[i].drawn;
+    int status = rl_visible_make(&job->visible, job->scene, drawn, job->plan->settings.culling, error);
+    free(drawn);
+    return status;
 }
 
 static int make_environments(struct rl_render_job *job, struct rl_error *error)
@@ -87,8 +121,8 @@ static int make_shadows(struct rl_render_job *job, struct rl_error *error)
     if (status == RL_OK)
         status = rl_occluders_make(&job->occluders, job->scene, job->rays, error);
     if (status == RL_OK)
-        status = rl_shadows_make(&job->shadows, job->scene, job->rays, job->occluders, &job->seen, NULL,
-                                 job->plan->settings.tolerance, error);
+        status = rl_shadows_make(&job->shadows, job->scene, job->rays, job->occluders, &job->seen,
+                                 job->plan->light, job->plan->settings.tolerance, error);
     return status;
 }
 
@@ -112,11 +146,9 @@ int rl_render_job_make(struct rl_render_job *job, const struct rl_scene *scene, 
     }
     for (size_t i = 0; i < plan->n_materials; i++)
         make_shader(&job->shader[i], scene, &plan->material[i]);
-    int status = rl_scene_lights_make(&job->seen, scene, error);
+    int status = make_lights(job, error);
     if (status == RL_OK)
-        status = rl_light_set_make(&job->lights, scene->light, scene->n_lights, error);
-    if (status == RL_OK)
-        status = rl_visible_make(&job->visible, scene, plan->settings.culling, error);
+        status = make_visible(job, error);
     if (status == RL_OK)
         status = make_environments(job, error);
     if (status == RL_OK && plan->shadows)

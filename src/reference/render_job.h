@@ -35,6 +35,7 @@ struct rl_render_job {
     struct rl_shadows *shadows;          /* with rays: of the effects */
     struct rl_shadows_view *shadow_view; /* with rays: one a thread */
     int n_views;
+    struct rl_source *source;             /* those that are not dropped, in the scene's order */
     struct rl_lights seen;                /* by effects, and by methods that take points */
     struct rl_render_shader *shader;      /* per plan material */
     struct rl_texel_map **environment;    /* per object; NULL: its method needs none */

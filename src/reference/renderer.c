@@ -60,6 +60,8 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
     /* A normal that faces away from the eye, which interpolation makes at silhouettes, has no highlight. */
     if (!s->plan->method || !(v3_dot(surface->N, surface->V) > 0.0))
         return;
+    if (s->integrates && !job->plan->object[object].highlit)
+        return;
     if (!s->integrates) {
         s->plan->method->shade(surface, job->seen.point, job->seen.n_points, (double(*)[4])s->method_params,
                                estimate->value);

@@ -62,7 +62,7 @@ static int attach_mesh(struct rl_visible *v, const struct rl_mesh *mesh, unsigne
     return RL_OK;
 }
 
-int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, bool culling,
+int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, const bool *drawn, bool culling,
                     struct rl_error *error)
 {
     struct rl_visible *v = calloc(1, sizeof *v);
@@ -83,7 +83,8 @@ int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, bool 
     rtcSetSceneBuildQuality(v->world, RTC_BUILD_QUALITY_HIGH);
     int status = RL_OK;
     for (size_t i = 0; i < scene->n_objects && status == RL_OK; i++)
-        status = attach_mesh(v, &scene->object[i].mesh, (unsigned)i, error);
+        if (!drawn || drawn[i])
+            status = attach_mesh(v, &scene->object[i].mesh, (unsigned)i, error);
     if (status == RL_OK)
         rtcCommitScene(v->world);
     enum RTCError fault = rtcGetDeviceError(v->device);
@@ -146,8 +147,11 @@ static void collect(struct point_context *context, const struct RTCHit *hit)
 {
     const struct rl_mesh *mesh = &context->visible->scene->object[hit->geomID].mesh;
     double t = meet_plane(mesh, hit->primID, context->origin, context->direction).t;
-    /* Of triangles that meet in an edge either will do: the one that Embree gave first stays. */
-    if (!(t < context->t - 1e-12 * context->t))
+    /* Of triangles that meet in an edge either will do: the one that the scene has first, in whatever order Embree gives them. */
+    double slack = 1e-12 * context->t;
+    bool before =
+        hit->geomID != context->object ? hit->geomID < context->object : hit->primID < context->triangle;
+    if (!(t < context->t - slack) && !(before && t <= context->t + slack))
         return;
     context->t = t;
     context->object = hit->geomID;

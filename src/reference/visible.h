@@ -13,8 +13,8 @@
 
 struct rl_visible;
 
-/* `scene` must outlive it. */
-int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, bool culling,
+/* `scene` must outlive it. drawn: of each object, whether any ray may see it, or NULL: all. Left out it changes nothing that the rays see. */
+int rl_visible_make(struct rl_visible **out, const struct rl_scene *scene, const bool *drawn, bool culling,
                     struct rl_error *error);
 void rl_visible_free(struct rl_visible *visible);
 

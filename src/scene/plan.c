@@ -250,8 +250,7 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
     plan_materials(plan, scene);
     status = check(plan, scene, error);
     if (status == RL_OK) {
-        /* The CPU's integral is of all lights: its tolerance is one of the brightest. */
-        if (settings->drop && !plan->on_cpu) {
+        if (settings->drop) {
             rl_plan_drop_lights(plan, scene);
             plan_materials(plan, scene);
         }

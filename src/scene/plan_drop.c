@@ -63,15 +63,15 @@ static bool below(const struct body *body, rl_vec3 P, rl_vec3 N, double sine)
 
 /* Whether the body is below the horizon everywhere on the mesh. Between vertices normal and point are weighted means of those at a
  * triangle's corners, N = sum a_i N_i (before it is made a unit vector) and P = sum a_j P_j, so that N.(x - P) is a mean of
- * N_i.(x - P_j). `map`: the same as seen from the centre, for what is looked up in an environment map, by two texels' width more. */
-static bool behind(const struct body *body, const struct rl_object *object, bool map, int env_size)
+ * N_i.(x - P_j). `centre`: the same as seen from the centre, by an angle of this sine, for what is seen from there; negative: nothing is. */
+static bool behind(const struct body *body, const struct rl_object *object, double centre)
 {
     const struct rl_mesh *mesh = &object->mesh;
     for (size_t t = 0; t < mesh->n_triangles; t++)
         for (int i = 0; i < 3; i++) {
             const float *n = mesh->normal[mesh->triangle[t][i]];
             rl_vec3 N = v3_normalize(v3(n[0], n[1], n[2]));
-            if (map && !below(body, object->centre, N, SLACK + 4.0 / env_size))
+            if (centre >= 0.0 && !below(body, object->centre, N, centre))
                 return false;
             for (int j = 0; j < 3; j++)
                 if (!below(body, position(mesh, mesh->triangle[t][j]), N, SLACK))
@@ -97,12 +97,12 @@ static bool dark(const double strength[3])
     return !(strength[0] > 0.0) && !(strength[1] > 0.0) && !(strength[2] > 0.0);
 }
 
-/* Whether a light can hide another: in the environment map of an object that has a highlight. */
+/* Whether a light can hide another: from the highlight of an object, in its environment map or in the integral itself. */
 static bool lights_hide(const struct rl_plan *plan, const struct rl_scene *scene)
 {
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        if (plan->object[i].drawn && plan->object[i].highlit && m->method && m->method->needs_environment)
+        if (plan->object[i].drawn && plan->object[i].highlit && m->method && !m->method->shade)
             return true;
     }
     return false;
@@ -120,8 +120,20 @@ static bool looks_below(const struct rl_plan *plan, const struct rl_plan_materia
     for (size_t i = 0; i < m->n_effects; i++)
         if (m->effect[i]->below && m->effect[i]->sees & sees)
             return true;
-    return sees & RL_SEES_CENTROIDS && m->method && m->method->needs_environment &&
-           !plan->settings.attenuation;
+    if (!(sees & RL_SEES_CENTROIDS) || !m->method || m->method->shade)
+        return false;
+    /* The CPU adds the texels of a map up in groups: without those of a light it would round the others' sum otherwise. */
+    return !plan->settings.attenuation || (m->method->needs_environment && plan->on_cpu);
+}
+
+/* From the object's centre highlights see the lights in an environment map, by two texels' width, or where that is asked for. */
+static double centre_of(const struct rl_plan *plan, const struct rl_plan_material *m, unsigned sees)
+{
+    if (!(sees & RL_SEES_CENTROIDS) || !m->method)
+        return -1.0;
+    if (m->method->needs_environment)
+        return SLACK + 4.0 / plan->settings.env_size;
+    return plan->settings.light_from == RL_LIGHT_FROM_OBJECT ? SLACK : -1.0;
 }
 
 /* Whether this object has no use for the body, which the effects see in one of these ways. */
@@ -129,12 +141,11 @@ static bool unseen(const struct rl_plan *plan, const struct rl_scene *scene, siz
                    const struct body *body, unsigned sees)
 {
     const struct rl_plan_material *m = rl_plan_of_object(plan, scene, object);
-    bool map = sees & RL_SEES_CENTROIDS && m->method && m->method->needs_environment;
     if (!uses(m, sees))
         return true;
     /* A surface that is seen from both sides has no light behind it. */
     return plan->settings.culling && !looks_below(plan, m, sees) &&
-           behind(body, &scene->object[object], map, plan->settings.env_size) &&
+           behind(body, &scene->object[object], centre_of(plan, m, sees)) &&
            (m->interpolation != RL_INTERPOLATION_CONSTANT ||
             behind_facets(body, &scene->object[object].mesh));
 }
@@ -230,8 +241,9 @@ static int list_objects(struct rl_plan *plan, const struct rl_scene *scene, stru
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
         const char *name = scene->object[i].name;
         if (!plan->object[i].drawn)
-            status = add(plan, error, "object", name, "outside the view");
-        else if (m->method && m->method->needs_environment && !plan->object[i].highlit)
+            status = add(plan, error, "object", name, "%s",
+                         plan->shadows ? "outside the view; its shadow is not" : "outside the view");
+        else if (m->method && !m->method->shade && !plan->object[i].highlit)
             status =
                 add(plan, error, "highlight of object", name, "every shaped light is behind its surface");
     }

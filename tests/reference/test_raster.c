@@ -63,7 +63,7 @@ static void test_against_rays(void **state)
         add(&scene, RL_SHAPE_SPHERE, 0.6, false, v3(0.1, 0.0, 0.0));
         add(&scene, RL_SHAPE_PLANE, 3.0, true, v3(0.0, 0.0, -0.2)); /* reaches behind the eye's planes */
         const struct rl_raster_options options = {.width = WIDTH, .height = HEIGHT, .culling = culling};
-        check_ok(rl_visible_make(&visible, &scene, culling, &error), &error);
+        check_ok(rl_visible_make(&visible, &scene, NULL, culling, &error), &error);
         rl_raster_draw(pixel, &scene, &options);
         size_t differ = 0, seen[OBJECTS + 1] = {0};
         for (int y = 0; y < HEIGHT; y++)
@@ -140,7 +140,7 @@ static void test_close_walls(void **state)
         size_t near = k % 2; /* the near wall is the first of the scene, or the second */
         make_walls(&scene, near ? gaps[k / 2] : -gaps[k / 2]);
         look(&scene, v3(1.0, 2.0, 3.4), v3(0.0, 0.0, 0.0), 0.1, 30.0);
-        check_ok(rl_visible_make(&visible, &scene, true, &error), &error);
+        check_ok(rl_visible_make(&visible, &scene, NULL, true, &error), &error);
         size_t wrong = 0;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             struct rl_surface surface;
