@@ -202,8 +202,7 @@ static int print(struct rl_scene *scene, const struct rl_arguments *a, struct rl
     if (plan.shadows)
         row(&rows, "effect", "shadows",
             "of every effect and highlight: lights hidden by other objects, seen or not; rays in double "
-            "precision, lines "
-            "cut at silhouettes");
+            "precision, lines cut at silhouettes");
     sphere_rows(&rows, scene, &plan);
     texture_rows(&rows, scene, &plan);
     buffer_rows(&rows, scene, &plan);

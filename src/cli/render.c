@@ -264,9 +264,11 @@ const struct rl_command rl_command_render = {
     .max_positionals = 1,
     .summary = "render a scene to an EXR or PNG",
     .description =
-        "Renders a scene file on the GPU, or on the CPU if the method is `reference` or `exhaustive`. What "
-        "an option does\n"
-        "not say, the scene file's `render` block says, else the default in brackets. The image carries its "
+        "Renders a scene file on the GPU, or on the CPU if the method is `reference` or `exhaustive` or "
+        "shadows "
+        "are on. What\n"
+        "an option does not say, the scene file's `render` block says, else the default in brackets. The "
+        "image carries its "
         "provenance\n"
         "as attributes (iinfo -v shows them).\n\n"
         "  roughlight render studies/scenes/teapot-star.yaml --method random --samples 4 -o a.exr\n"

@@ -71,7 +71,7 @@ struct rl_visibility {
     /* Whether something hides what lies in direction L (unit) at this distance; INFINITY: parallel light. */
     bool (*hidden)(void *user, const struct rl_surface *s, rl_vec3 L, double distance);
     /* The share, 0 to 1, that arrives of the irradiance which the lights' area `index` would give if nothing hid it; *error: how far off it may
-     * be. Exactly 1 where nothing does. */
+     * be. Exactly 1 where nothing does; NAN: it could not be found out. */
     double (*share)(void *user, const struct rl_surface *s, size_t index, double *error);
     void *user;
 };

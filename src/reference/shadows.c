@@ -112,10 +112,9 @@ static double share(void *user, const struct rl_surface *s, size_t index, double
     enum rl_occluders_seen seen = see(view, &at, shadows->area[index].light);
     if (seen == RL_OCCLUDERS_NONE)
         return 1.0;
-    if (seen == RL_OCCLUDERS_NO_MEMORY) {
-        *error = INFINITY;
-        return 1.0;
-    }
+    /* No picture comes of values that are not finite. */
+    if (seen == RL_OCCLUDERS_NO_MEMORY)
+        return NAN;
     const struct rl_integrate_options options = {.attenuation = true,
                                                  .irradiance = true,
                                                  .tolerance = shadows->tolerance,

@@ -122,7 +122,7 @@ static bool looks_below(const struct rl_plan *plan, const struct rl_plan_materia
             return true;
     if (!(sees & RL_SEES_CENTROIDS) || !m->method || m->method->shade)
         return false;
-    /* The CPU adds the texels of a map up in groups: without those of a light it would round the others' sum otherwise. */
+    /* The CPU adds the texels of a map up in groups: without those of a light it might round the others' sum otherwise. */
     return !plan->settings.attenuation || (m->method->needs_environment && plan->on_cpu);
 }
 

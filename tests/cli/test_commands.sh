@@ -178,6 +178,8 @@ check "none of environment maps where there is no map" sh -c "'$rl' plan studies
 check "no render buffer on the CPU" sh -c "! '$rl' plan $scene --method reference | grep -q '^buffer.\(colour\|depth\|environment\)'"
 check "no stencil, 16 bits, backs" sh -c "'$rl' plan $scene --method plain --depth-bits 16 --culling off >'$tmp/plan.tsv' &&
     grep -q '^buffer.depth.16 bits' '$tmp/plan.tsv' && ! grep -q 'stencil\|^culling' '$tmp/plan.tsv'"
+check "without a highlight shadows take the scene to the CPU" sh -c "'$rl' plan studies/scenes/window.yaml --shadows on |
+    awk -F '\t' '\$1 == \"effect\" && \$2 == \"shadows\" || \$1 == \"pass\" && \$2 == \"cpu\" { n++ } END { exit n != 2 }'"
 check "plan shows none when they are off" sh -c "! '$rl' plan $ball --shadows off | grep -q shadows"
 budget() {
     "$rl" render $scene --size 64x48 --method reference --max-seconds "$1" --errors "$tmp/errors.exr" -o "$tmp/budget.exr" 2>&1

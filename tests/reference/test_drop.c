@@ -8,7 +8,7 @@ static void draw(struct rl_image *image, struct rl_image *errors, const struct r
     struct rl_error error;
     struct rl_plan plan;
     struct rl_render_stats stats;
-    const struct rl_render_limits limits = {.threads = 2, .errors = errors};
+    const struct rl_render_limits limits = {.threads = 1, .errors = errors};
     check_ok(rl_plan_make(&plan, scene, settings, &error), &error);
     assert_true(plan.on_cpu);
     *dropped_lights = scene->n_lights + scene->n_sources - plan.n_lights - plan.n_sources;
@@ -59,8 +59,8 @@ static void make_variant(struct rl_scene *scene, struct rl_settings *settings, c
     settings->method = method;
     settings->env_size = 32;
     settings->tolerance = 1e-4;
-    settings->width = 32;
-    settings->height = 24;
+    settings->width = 24;
+    settings->height = 18;
     begin_scene(scene, method, ball);
     settings->shadows = variant == SHADOWS;
     settings->attenuation = variant != UNATTENUATED;
@@ -121,8 +121,8 @@ static void test_scenes(void **state)
         struct rl_settings settings = scene.settings;
         settings.method = "reference";
         settings.tolerance = 1e-3;
-        settings.width = 48;
-        settings.height = 36;
+        settings.width = 24;
+        settings.height = 18;
         for (int shadows = 0; shadows < 2; shadows++) {
             settings.shadows = shadows == 1;
             check_drop(&scene, settings);
