@@ -8,15 +8,23 @@
 #ifndef RL_MODEL_ATTENUATION_H
 #define RL_MODEL_ATTENUATION_H
 
+#include <float.h>
+
 /* Cosines in, G in [0, 1] out. V.H <= 0 means that the facet faces away from the eye: G = 0. */
 static inline double rl_attenuation(double n_h, double n_v, double n_l, double v_h)
 {
     if (!(n_l > 0.0) || !(v_h > 0.0) || !(n_h > 0.0) || !(n_v > 0.0))
         return 0.0;
     double least = n_v < n_l ? n_v : n_l;
-    /* Compared before it is divided: v_h may be tiny, and the quotient may overflow. */
-    double numerator = 2.0 * n_h * least;
-    return numerator >= v_h ? 1.0 : numerator / v_h;
+    double larger = n_h > least ? n_h : least, smaller = n_h > least ? least : n_h;
+    /* The larger factor is divided first: the product of both might be 0 or denormal where G is not. The quotient overflows only by a
+     * denormal v_h, so that one is scaled. */
+    if (v_h < DBL_MIN) {
+        v_h *= 0x1p64;
+        smaller *= 0x1p64;
+    }
+    double g = 2.0 * (larger / v_h) * smaller;
+    return g < 1.0 ? g : 1.0;
 }
 
 #endif
