@@ -2,9 +2,10 @@
 float facets(float cos_delta, float sin_sin, float m)
 {
     float cc = cos_delta * cos_delta;
-    float mm = m * m;
+    float x = sin_sin / (cc * m * m);
     // Past 80 the exponential is below anything that single precision would add to.
-    if (!(sin_sin < 80.0 * mm * cc))
+    if (!(x < 80.0))
         return 0.0;
-    return exp(-sin_sin / (cc * mm)) / (3.14159265 * mm * cc * cc);
+    float root = exp(-0.5 * x) / (m * cc);
+    return root * root / 3.14159265;
 }

@@ -15,18 +15,21 @@
 /* cos(delta) > 0; 1/sr. */
 static inline double rl_facets_beckmann(double cos_delta, double sin_sin, double m)
 {
-    double cc = cos_delta * cos_delta, mm = m * m;
-    /* Far below anything else in the sum, and past this the quotient of 0 by 0 is near. */
-    if (!(sin_sin < 700.0 * mm * cc))
+    double cc = cos_delta * cos_delta;
+    double x = sin_sin / (cc * m * m);
+    /* Past this D is 0 in double precision for any m >= 1e-12, and the quotient of 0 by 0 is near. */
+    if (!(x < 810.0))
         return 0.0;
-    return exp(-sin_sin / (cc * mm)) / (RL_PI * mm * cc * cc);
+    /* The square of exp(-x/2)/(m cos^2): neither the exponential nor the powers leave the range of numbers before D does. */
+    double root = exp(-0.5 * x) / (m * cc);
+    return root * root / RL_PI;
 }
 
 static inline double rl_facets_ellipsoid(double cos_delta, double sin_sin, double m)
 {
-    /* R^2/(cos^2 + R^2 sin^2)^2 with R = 1/m, times m^4 above and below. */
-    double q = m * m * cos_delta * cos_delta + sin_sin;
-    return m * m / (RL_PI * q * q);
+    /* R^2/(cos^2 + R^2 sin^2)^2 with R = 1/m, times m^4 above and below, and as a square: m^4 alone may underflow in single precision. */
+    double q = m / (m * m * cos_delta * cos_delta + sin_sin);
+    return q * q / RL_PI;
 }
 
 #endif
