@@ -70,32 +70,37 @@ double rl_ellipsoid_cdf(const struct rl_ellipsoid *e, double delta)
     return rl_ellipsoid_cdf_sincos(e, sin(delta), cos(delta));
 }
 
-/* s = sin|delta| and t = 1 - s for the tail probability u in [0, 1/2].
+/* sin(x)/x or sinh(x)/x, for x >= 0. Below 1e-8 it is 1 to the last digit, and x may be 0 or have lost digits as a denormal number. */
+static double over_argument(double function, double x)
+{
+    return x > 1e-8 ? function / x : 1.0;
+}
+
+/* s = sin|delta|, and t/u for t = 1 - s, of the tail probability u in [0, 1/2].
  *
  * With A = atan k, x = 2 u A and y = A - x: s = tan(y)/k and, as cos A = 1/R and sin A = k/R,
  *
  *     s = R sin(y)/(k d),  t = R^2 sin(x)/(k d),  d = R cos(y) = cos x + k sin x
  *
  * For R < 1, A = atanh k and the same in hyperbolic functions, with cosh A = 1/R. Nothing cancels, so s and t are both
- * accurate relative to themselves. */
-static void upper_sine(const struct rl_ellipsoid *e, double u, double *s, double *t)
+ * accurate relative to themselves. t is proportional to sin(x)/k = (sin(x)/x) u/norm: its quotient by u has no part that underflows. */
+static void upper_sine(const struct rl_ellipsoid *e, double u, double *s, double *t_over_u)
 {
     double middle = 1.0 - 2.0 * u;
     if (e->k == 0.0) {
         *s = middle;
-        *t = 2.0 * u;
+        *t_over_u = 2.0;
         return;
     }
     double x = 2.0 * u * e->half_range;
     double y = middle * e->half_range;
     if (e->rr >= 1.0) {
-        double kd = e->k * (cos(x) + e->k * sin(x));
-        *s = e->rr * sin(y) / kd;
-        *t = e->rr * e->rr * sin(x) / kd;
+        double d = cos(x) + e->k * sin(x);
+        *s = e->rr * sin(y) / (e->k * d);
+        *t_over_u = e->rr * e->rr * over_argument(sin(x), x) / (e->norm * d);
     } else {
-        double kd = e->k * cosh(y);
-        *s = sinh(y) / kd;
-        *t = e->rr * sinh(x) / kd;
+        *s = sinh(y) / (e->k * cosh(y));
+        *t_over_u = e->rr * over_argument(sinh(x), x) / (e->norm * cosh(y));
     }
 }
 
@@ -104,8 +109,9 @@ struct rl_delta rl_ellipsoid_inverse(const struct rl_ellipsoid *e, double u)
     u = fmin(1.0, fmax(0.0, u));
     double tail = u <= 0.5 ? u : 1.0 - u;
     double s = 0.0;
-    double t = 0.0;
-    upper_sine(e, tail, &s, &t);
+    double t_over_u = 0.0;
+    upper_sine(e, tail, &s, &t_over_u);
+    double t = t_over_u * tail;
     /* The smaller of the two is the more accurate one in absolute terms; the other follows from it, so that
      * sin^2 + cos^2 = 1. */
     if (s > 0.5)
@@ -113,6 +119,9 @@ struct rl_delta rl_ellipsoid_inverse(const struct rl_ellipsoid *e, double u)
     else
         t = 1.0 - s;
     double c = sqrt(t * (2.0 - t));
+    /* As a denormal number t would have lost digits; its root has not. */
+    if (tail < 0x1p-900)
+        c = 0x1p-200 * sqrt(2.0 * t_over_u * (tail * 0x1p400));
     /* atan2 keeps the digits at both ends, where asin or acos alone would lose half of them. */
     double delta = atan2(s, c);
     double sign = u <= 0.5 ? -1.0 : 1.0;
