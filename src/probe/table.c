@@ -4,6 +4,7 @@
 
 #include "model/attenuation.h"
 #include "model/ellipsoid.h"
+#include "model/facets.h"
 #include "model/frame.h"
 #include "model/fresnel.h"
 #include "probe/probe.h"
@@ -57,6 +58,30 @@ static void attenuation(const struct rl_probe *probe, const double *in, double *
     out[0] = rl_attenuation(in[0], in[1], in[2], in[3]);
 }
 
+static void facets_beckmann(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_facets_beckmann(cos(in[1]), sin(in[1]) * sin(in[1]), in[0]);
+}
+
+static void facets_ellipsoid(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_facets_ellipsoid(cos(in[1]), sin(in[1]) * sin(in[1]), in[0]);
+}
+
+static void angle(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = atan2(in[0], in[1]);
+}
+
+static void fresnel_index(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_fresnel_index(in[0]);
+}
+
 static void fresnel(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
@@ -76,9 +101,19 @@ static void point_light(const struct rl_probe *probe, const double *in, double *
 
 /* clang-format off */
 /* Columns that several probes have. */
-#define RR {.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX}
-#define DELTA {.name = "delta", .low = -0.5 * RL_PI, .high = 0.5 * RL_PI}
+#define RR {.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX, .rounded = true}
+#define DELTA {.name = "delta", .low = -0.5 * RL_PI, .high = 0.5 * RL_PI, .rounded = true}
 #define OF_COSINE .low = -1.0, .high = 1.0
+
+/* Of both distributions over solid angle. */
+#define FACETS_PROBE(module) \
+    .n_in = 2, .n_out = 1, \
+    .in = {{.name = "m", .low = 1.0 / RL_RR_MAX, .high = 1.0 / RL_RR_MIN, .rounded = true}, DELTA}, \
+    .out = {"d"}, \
+    .modules = {"common/sine_cosine", module}, \
+    .glsl = "    vec2 sc = sine_cosine(abs(a[1]));\n" \
+            "    r[0] = facets(sc.y, sc.x * sc.x, a[0]);\n", \
+    .absolute = 1e-6, .relative = 1e-5
 
 /* Of both frames: columns, and GLSL where the module is linked that the probe names. */
 #define FRAME_PROBE \
@@ -100,6 +135,10 @@ static const struct rl_probe probes[] = {
         .in = {RR, DELTA},
         .out = {"pdf"},
         .cpu = pdf,
+        .modules = {"common/arctangent", "common/sine_cosine", "common/ellipsoid"},
+        .glsl = "    r[0] = ellipsoid_pdf(ellipsoid_make(a[0]), a[1]);\n",
+        .absolute = 1e-6,
+        .relative = 1e-5,
     },
     {
         .name = "ellipsoid-cdf",
@@ -109,15 +148,24 @@ static const struct rl_probe probes[] = {
         .in = {RR, DELTA},
         .out = {"u"},
         .cpu = cdf,
+        .modules = {"common/arctangent", "common/sine_cosine", "common/ellipsoid"},
+        .glsl = "    r[0] = ellipsoid_cdf(ellipsoid_make(a[0]), a[1]);\n",
+        .absolute = 1e-6,
+        .relative = 1e-5,
     },
     {
         .name = "ellipsoid-inverse",
         .summary = "delta(U), and its sine and cosine",
         .n_in = 2,
         .n_out = 3,
-        .in = {RR, {.name = "u", .low = 0.0, .high = 1.0}},
+        .in = {RR, {.name = "u", .low = 0.0, .high = 1.0, .rounded = true}},
         .out = {"delta", "sin_delta", "cos_delta"},
         .cpu = inverse,
+        .modules = {"common/arctangent", "common/sine_cosine", "common/ellipsoid"},
+        .glsl = "    vec3 d = ellipsoid_inverse(ellipsoid_make(a[0]), a[1]);\n"
+                "    r = float[](d.x, d.y, d.z);\n",
+        .absolute = 1e-6,
+        .relative = 1e-5,
     },
     {
         .name = "frame",
@@ -148,6 +196,40 @@ static const struct rl_probe probes[] = {
         .glsl = "    r[0] = attenuation(a[0], a[1], a[2], a[3]);\n",
         .absolute = 1e-37,
         .relative = 1e-6,
+    },
+    {
+        .name = "facets-beckmann",
+        .summary = "D(delta) of Beckmann's distribution, normals per steradian; m: rms slope",
+        .cpu = facets_beckmann,
+        FACETS_PROBE("common/beckmann"),
+    },
+    {
+        .name = "facets-ellipsoid",
+        .summary = "D(delta) of the ellipsoid over solid angle, normals per steradian; m = 1/R_r",
+        .cpu = facets_ellipsoid,
+        FACETS_PROBE("common/ellipsoid_facets"),
+    },
+    {
+        .name = "angle",
+        .summary = "the angle, 0 to pi, whose sine and cosine are as y >= 0 to x",
+        .n_in = 2,
+        .n_out = 1,
+        .in = {{.name = "y", .low = 0.0, .high = 1e18}, {.name = "x"}},
+        .out = {"angle"},
+        .cpu = angle,
+        .modules = {"common/arctangent"},
+        .glsl = "    r[0] = angle_of(a[0], a[1]);\n",
+        .absolute = 1e-6,
+        .relative = 1e-6,
+    },
+    {
+        .name = "reflectance-index",
+        .summary = "n of the dielectric that reflects this part at normal incidence",
+        .n_in = 1,
+        .n_out = 1,
+        .in = {{.name = "f", .low = 0.0, .high = 1.0}},
+        .out = {"n"},
+        .cpu = fresnel_index,
     },
     {
         .name = "reflectance",

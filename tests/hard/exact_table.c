@@ -36,6 +36,25 @@ const struct exact_function exact_functions[] = {
     {.name = "lengyel", .n_in = 17, .n_directions = 3, OF_EFFECT, .evaluate = exact_lengyel},
     {.name = "goldman", .n_in = 20, .n_directions = 3, OF_EFFECT, .evaluate = exact_goldman},
     {.name = "goldman-printed", .n_in = 20, .n_directions = 3, OF_EFFECT, .evaluate = exact_goldman_printed},
+
+    /* exact_model.c */
+    {.name = "frame",
+     .n_in = 3,
+     .n_out = 6,
+     .n_directions = 1,
+     .out = {"tx", "ty", "tz", "bx", "by", "bz"},
+     .evaluate = exact_frame},
+    {.name = "frame-printed",
+     .n_in = 3,
+     .n_out = 6,
+     .n_directions = 1,
+     .out = {"tx", "ty", "tz", "bx", "by", "bz"},
+     .evaluate = exact_frame_printed},
+    {.name = "attenuation", .n_in = 4, .n_out = 1, .out = {"g"}, .evaluate = exact_attenuation},
+    {.name = "facets-beckmann", .n_in = 2, .n_out = 1, .out = {"d"}, .evaluate = exact_facets_beckmann},
+    {.name = "facets-ellipsoid", .n_in = 2, .n_out = 1, .out = {"d"}, .evaluate = exact_facets_ellipsoid},
+    {.name = "angle", .n_in = 2, .n_out = 1, .out = {"angle"}, .evaluate = exact_angle},
+    {.name = "reflectance-index", .n_in = 1, .n_out = 1, .out = {"n"}, .evaluate = exact_reflectance_index},
 };
 
 const size_t exact_n_functions = sizeof exact_functions / sizeof exact_functions[0];
