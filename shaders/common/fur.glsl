@@ -4,8 +4,8 @@ float fur_sine(vec3 n, vec3 a)
     return length(cross(n, a));
 }
 
-// x^n for x from 0 to 1, n >= 1.
-float fur_power(float x, float n)
+// cos^p of the angle of this sine and cosine; 0 where the cosine is not above 0.
+float fur_power(float sine, float cosine, float p)
 {
-    return x > 0.0 ? pow(min(x, 1.0), n) : 0.0;
+    return cosine > 0.0 ? power_of_cosine(sine * sine, cosine * cosine, p) : 0.0;
 }

@@ -1,5 +1,9 @@
-// Kajiya and Kay's highlight: cos(psi - theta), 0 where the eye is more than 90 degrees off the cone.
-float fur_cone(vec3 n, vec3 l, vec3 e)
+// Kajiya and Kay's highlight: cos^p(psi - theta), 0 where the eye is more than 90 degrees off the cone.
+float fur_cone(vec3 n, vec3 l, vec3 e, float p)
 {
-    return max(0.0, fur_sine(n, l) * fur_sine(n, e) - dot(n, l) * dot(n, e));
+    float s_l = fur_sine(n, l);
+    float s_e = fur_sine(n, e);
+    float c_l = dot(n, l);
+    float c_e = dot(n, e);
+    return fur_power(s_l * c_e + c_l * s_e, s_l * s_e - c_l * c_e, p);
 }

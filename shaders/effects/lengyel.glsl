@@ -6,6 +6,13 @@
 
 vec3 reflect_lengyel(Surface s, vec3 L, vec4 params[2])
 {
-    float lobe = fur_power(fur_sine(s.N, 0.5 * (L + s.V)), params[0].w);
+    vec3 h = 0.5 * (L + s.V);
+    vec3 across = cross(s.N, h);
+    vec3 apart = L - s.V;
+    float n_h = dot(s.N, h);
+    // 1 - |N x h|^2, for |h|^2 = 1 - |L - V|^2/4.
+    float rest = n_h * n_h + 0.25 * dot(apart, apart);
+    float square = dot(across, across);
+    float lobe = square > 0.0 ? power_of_cosine(rest, square, params[0].w) : 0.0;
     return params[0].rgb * fur_sine(s.N, L) + params[1].rgb * lobe;
 }

@@ -8,6 +8,7 @@
 
 #include "effects/effect.h"
 #include "model/fur.h"
+#include "model/lobe.h"
 
 /* ---- All fur ---- */
 
@@ -43,11 +44,11 @@ static inline void rl_fur_pack_colours(const double *value, bool monochrome, dou
     params[1][3] = 0.0;
 }
 
-/* factor (k_d diffuse + k_s specular^p) */
+/* factor (k_d diffuse + k_s lobe^p), the lobe by its cosine and sine */
 static inline void rl_fur_sum(double rgb[3], double params[][4], double factor, double diffuse,
-                              double specular)
+                              struct rl_fur_angle specular)
 {
-    double lobe = pow(specular, params[0][3]);
+    double lobe = rl_power_of_cosine(specular.sine, specular.cosine, params[0][3]);
     for (int c = 0; c < 3; c++)
         rgb[c] = factor * (params[0][c] * diffuse + params[1][c] * lobe);
 }

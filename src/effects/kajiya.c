@@ -19,10 +19,10 @@ const struct rl_effect rl_effect_kajiya = {
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
     .below = true,
     .param = rl_fur_param,
-    .modules = {"common/fur", "common/fur_cone"},
+    .modules = {"common/lobe", "common/fur", "common/fur_cone"},
     .n_params = 2,
     .pack = rl_fur_pack,
     .reflect = reflect,
-    .absolute = 2e-6,
-    .relative = 1e-3,
+    .absolute = 1e-6,
+    .relative = 1e-5,
 };

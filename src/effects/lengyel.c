@@ -9,8 +9,7 @@
 
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
-    rl_vec3 h = v3_scale(0.5, v3_add(L, s->V));
-    rl_fur_sum(rgb, params, 1.0, rl_fur_sine(s->N, L), fmin(rl_fur_sine(s->N, h), 1.0));
+    rl_fur_sum(rgb, params, 1.0, rl_fur_sine(s->N, L), rl_fur_half(s->N, L, s->V));
 }
 
 const struct rl_effect rl_effect_lengyel = {
@@ -20,10 +19,10 @@ const struct rl_effect rl_effect_lengyel = {
     .roles = RL_ROLE_DIFFUSE | RL_ROLE_SPECULAR | RL_ROLE_HIGHLIGHT,
     .below = true,
     .param = rl_fur_param,
-    .modules = {"common/fur"},
+    .modules = {"common/lobe", "common/fur"},
     .n_params = 2,
     .pack = rl_fur_pack,
     .reflect = reflect,
-    .absolute = 2e-6,
-    .relative = 1e-3,
+    .absolute = 1e-6,
+    .relative = 1e-5,
 };

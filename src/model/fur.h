@@ -21,18 +21,31 @@ static inline double rl_fur_sine(rl_vec3 n, rl_vec3 a)
     return v3_length(v3_cross(n, a));
 }
 
-/* cos(psi - theta), 0 where the eye is more than 90 degrees off the cone. */
-static inline double rl_fur_cone(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+/* An angle whose cosine is raised to a power, by both since a cosine near 1 does not tell how near (model/lobe.h). */
+struct rl_fur_angle {
+    double sine, cosine;
+};
+
+/* psi - theta; its cosine is below 0 where the eye is more than 90 degrees off the cone. */
+static inline struct rl_fur_angle rl_fur_cone(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    double c = rl_fur_sine(n, l) * rl_fur_sine(n, e) - v3_dot(n, l) * v3_dot(n, e);
-    return fmin(fmax(c, 0.0), 1.0);
+    double s_l = rl_fur_sine(n, l), s_e = rl_fur_sine(n, e), c_l = v3_dot(n, l), c_e = v3_dot(n, e);
+    return (struct rl_fur_angle){s_l * c_e + c_l * s_e, s_l * s_e - c_l * c_e};
 }
 
-/* |cos(psi + theta)|: the listing squares it three times for an 8th power, which loses its sign. */
-static inline double rl_fur_cone_printed(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+/* psi + theta; its cosine's size, for the listing squares it three times for an 8th power, which loses its sign. */
+static inline struct rl_fur_angle rl_fur_cone_printed(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    double c = rl_fur_sine(n, l) * rl_fur_sine(n, e) + v3_dot(n, l) * v3_dot(n, e);
-    return fmin(fabs(c), 1.0);
+    double s_l = rl_fur_sine(n, l), s_e = rl_fur_sine(n, e), c_l = v3_dot(n, l), c_e = v3_dot(n, e);
+    return (struct rl_fur_angle){s_l * c_e - c_l * s_e, fabs(s_l * s_e + c_l * c_e)};
+}
+
+/* That of the cosine |n x h|, h = (l + e)/2: 1 - |n x h|^2 = (n.h)^2 + |l - e|^2/4, for |h|^2 = 1 - |l - e|^2/4. */
+static inline struct rl_fur_angle rl_fur_half(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+{
+    rl_vec3 h = v3_scale(0.5, v3_add(l, e)), apart = v3_sub(l, e);
+    double c = v3_dot(n, h);
+    return (struct rl_fur_angle){sqrt(c * c + 0.25 * v3_dot(apart, apart)), rl_fur_sine(n, h)};
 }
 
 static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
