@@ -2,21 +2,24 @@
 //
 //     F(beta) D(delta) G / (4 N.V),   N.L > 0 and N.V > 0,   H = (L + V)/|L + V|
 //
-// with fresnel, and D = facets of one of the distributions' modules. params: n and m; k.
+// with fresnel, and D = facets of one of the distributions' modules. params: n and m; k; n^2 - 1.
 
-vec3 reflect_cook_torrance(Surface s, vec3 L, vec4 params[2])
+vec3 reflect_cook_torrance(Surface s, vec3 L, vec4 params[3])
 {
-    vec3 sum = L + s.V;
-    float length_sum = length(sum);
     float n_l = dot(s.N, L);
     float n_v = dot(s.N, s.V);
-    if (!(n_l > 0.0) || !(n_v > 0.0) || !(length_sum > 0.0))
+    if (!(n_l > 0.0) || !(n_v > 0.0))
         return vec3(0.0);
-    vec3 H = sum / length_sum;
-    vec3 across = cross(s.N, H);
-    float n_h = min(1.0, (n_l + n_v) / length_sum);
-    float v_h = min(1.0, 0.5 * length_sum);
+    Half h = half_vector(L, s.V);
+    if (!(h.cosine > 0.0))
+        return vec3(0.0);
+    vec3 across = cross(s.N, h.H);
+    // A sum of what is positive: N.H of a rounded H may be below 0 at grazing incidence.
+    float n_h = min(1.0, 0.5 * (n_l + n_v) / h.cosine);
     float d = facets(n_h, dot(across, across), params[0].w);
-    float g = min(0.25 / n_v, 0.5 * (n_h / v_h) * min(1.0, n_l / n_v));
-    return fresnel(params[0].rgb, params[1].rgb, v_h) * (d * g);
+    float g = min(0.25 / n_v, 0.5 * (n_h / h.cosine) * min(1.0, n_l / n_v));
+    // At a grazing angle of 1e-35 it is past the largest number; an infinity times an F of 0 is none at all.
+    float factor = min(d * g, 3.4e38);
+    vec3 apart = s.V - L;
+    return factor * fresnel(params[0].rgb, params[1].rgb, params[2].rgb, h.cosine, 0.25 * dot(apart, apart));
 }

@@ -10,8 +10,11 @@
  * which follows n with k = 0, as the paper does. D is Beckmann's or the ellipsoid's (src/model/facets.h). G is that of V-shaped grooves
  * (src/model/attenuation.h), which never hides more than it must: all of it together reflects less than it receives, whatever m, and is
  * the same with light and eye exchanged. Highlight of the paper only: its diffuse part is the effect `diffuse`. */
+#include <float.h>
+
 #include "effects/highlight.h"
 #include "model/facets.h"
+#include "model/half.h"
 
 enum { ROUGHNESS = 9, DISTRIBUTION = 10 };
 
@@ -25,20 +28,23 @@ static void pack(const double *value, double params[][4])
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
     rgb[0] = rgb[1] = rgb[2] = 0.0;
-    rl_vec3 sum = v3_add(L, s->V);
-    double length = v3_length(sum), n_l = v3_dot(s->N, L), n_v = v3_dot(s->N, s->V);
-    if (!(n_l > 0.0) || !(n_v > 0.0) || !(length > 0.0))
+    double n_l = v3_dot(s->N, L), n_v = v3_dot(s->N, s->V);
+    if (!(n_l > 0.0) || !(n_v > 0.0))
         return;
-    rl_vec3 H = v3_scale(1.0 / length, sum), across = v3_cross(s->N, H);
-    /* N.H as a sum of what is positive: N.H of a rounded H may be below 0 at grazing incidence. */
-    double n_h = fmin(1.0, (n_l + n_v) / length), v_h = fmin(1.0, 0.5 * length), m = params[0][3];
-    double sin_sin = v3_dot(across, across);
+    struct rl_half h = rl_half_make(L, s->V);
+    if (!(h.cosine > 0.0))
+        return;
+    rl_vec3 across = v3_cross(s->N, h.H);
+    /* A sum of what is positive: N.H of a rounded H may be below 0 at grazing incidence. */
+    double n_h = fmin(1.0, 0.5 * (n_l + n_v) / h.cosine), sin_sin = v3_dot(across, across), m = params[0][3];
     double d =
         params[1][3] == 0.0 ? rl_facets_beckmann(n_h, sin_sin, m) : rl_facets_ellipsoid(n_h, sin_sin, m);
     /* G / (4 N.V), G = min(1, 2 (N.H) min(N.V, N.L)/(V.H)): quotients of what goes to 0 together, and no product of them. */
-    double g = fmin(0.25 / n_v, 0.5 * (n_h / v_h) * fmin(1.0, n_l / n_v));
+    double g = fmin(0.25 / n_v, 0.5 * (n_h / h.cosine) * fmin(1.0, n_l / n_v));
+    /* At a grazing angle of 1e-308 it is past the largest number; an infinity times an F of 0 is none at all. */
+    double factor = fmin(d * g, DBL_MAX);
     for (int c = 0; c < 3; c++)
-        rgb[c] = rl_fresnel(params[0][c], params[1][c], v_h) * d * g;
+        rgb[c] = rl_reflectance_at(params, c, h.cosine, h.sin_sin) * factor;
 }
 
 static const struct rl_effect_choice distribution[] = {
@@ -65,11 +71,11 @@ const struct rl_effect rl_effect_cook_torrance = {
     .sees = RL_SEES_SOURCES,
     .roles = RL_ROLE_SPECULAR,
     .param = param,
-    .modules = {"common/fresnel"},
+    .modules = {"common/half", "common/fresnel"},
     .check = rl_reflectance_check,
-    .n_params = 2,
+    .n_params = RL_REFLECTANCE_PARAMS,
     .pack = pack,
     .reflect = reflect,
     .absolute = 1e-6,
-    .relative = 1e-4,
+    .relative = 1e-5,
 };

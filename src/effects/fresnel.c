@@ -10,9 +10,13 @@
 
 static void factor(const struct rl_surface *s, double params[][4], double rgb[3])
 {
-    double n_v = fmin(fmax(v3_dot(s->N, s->V), 0.0), 1.0);
+    rl_vec3 across = v3_cross(s->N, s->V);
+    double n_v = fmin(v3_dot(s->N, s->V), 1.0), sin_sin = v3_dot(across, across);
+    /* From behind as at 90 degrees. */
+    if (n_v < 0.0)
+        n_v = 0.0, sin_sin = 1.0;
     for (int c = 0; c < 3; c++)
-        rgb[c] = rl_fresnel(params[0][c], params[1][c], n_v);
+        rgb[c] = rl_reflectance_at(params, c, n_v, sin_sin);
 }
 
 static const struct rl_effect_param param[] = {RL_REFLECTANCE_KEYS, {0}};
@@ -23,10 +27,9 @@ const struct rl_effect rl_effect_fresnel = {
     .param = param,
     .modules = {"common/fresnel"},
     .check = rl_reflectance_check,
-    .n_params = 2,
+    .n_params = RL_REFLECTANCE_PARAMS,
     .pack = rl_reflectance_pack,
     .factor = factor,
-    /* At n = 0.01 total reflection begins half a degree from the normal, where single precision knows N.V to 6e-8 and F rises by 400 for each
-     * unit of 1 - (N.V)^2. */
-    .absolute = 1e-4,
+    .absolute = 1e-6,
+    .relative = 1e-5,
 };

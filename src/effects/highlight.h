@@ -69,16 +69,29 @@ static inline const char *rl_reflectance_check(const double *value, const char *
     return reflectance || (n && k) ? NULL : "both n and k, of the complex index of refraction";
 }
 
-/* n as params[0], k as params[1], whose w are free (0). */
+enum { RL_REFLECTANCE_PARAMS = 3 };
+
+/* n as params[0], k as params[1], n^2 - 1 as params[2], whose w are free (0). */
 static inline void rl_reflectance_pack(const double *value, double params[][4])
 {
     bool reflectance = !isnan(value[RL_REFLECTANCE]);
     for (int c = 0; c < 3; c++) {
-        params[0][c] =
-            reflectance ? rl_fresnel_index(value[RL_REFLECTANCE + c]) : value[RL_REFLECTANCE_N + c];
-        params[1][c] = reflectance ? 0.0 : value[RL_REFLECTANCE_K + c];
+        double n = value[RL_REFLECTANCE_N + c];
+        struct rl_fresnel_index index = {n, value[RL_REFLECTANCE_K + c], (n - 1.0) * (n + 1.0)};
+        if (reflectance)
+            index = rl_fresnel_index(value[RL_REFLECTANCE + c]);
+        params[0][c] = index.n;
+        params[1][c] = index.k;
+        params[2][c] = index.n_n_1;
     }
-    params[0][3] = params[1][3] = 0.0;
+    params[0][3] = params[1][3] = params[2][3] = 0.0;
+}
+
+/* F of channel c at an angle by its cosine and its sine squared. */
+static inline double rl_reflectance_at(double params[][4], int c, double cosine, double sin_sin)
+{
+    return rl_fresnel_of((struct rl_fresnel_index){params[0][c], params[1][c], params[2][c]}, cosine,
+                         sin_sin);
 }
 
 #endif

@@ -243,7 +243,8 @@ static const struct rl_probe probes[] = {
         .out = {"f"},
         .cpu = fresnel,
         .modules = {"common/fresnel"},
-        .glsl = "    r[0] = fresnel(vec3(a[0]), vec3(a[1]), a[2]).x;\n",
+        .glsl = "    r[0] = fresnel(vec3(a[0]), vec3(a[1]), vec3((a[0] - 1.0) * (a[0] + 1.0)), a[2],\n"
+                "                   (1.0 - a[2]) * (1.0 + a[2])).x;\n",
         .absolute = 1e-6,
     },
     {

@@ -60,7 +60,7 @@ static void test_index(void **state)
     (void)state;
     static const double part[] = {0.0, 1e-6, 0.04, 0.25, 0.5, 0.9, 0.999, 1.0};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
-        check_near(rl_fresnel(rl_fresnel_index(part[i]), 0.0, 1.0), part[i], 5e-8 * part[i] + 1e-16);
+        check_near(rl_fresnel_of(rl_fresnel_index(part[i]), 1.0, 0.0), part[i], 5e-8 * part[i] + 1e-16);
 }
 
 /* The integral of D cos(delta) over the hemisphere is 1; in u = tan^2(delta)/m^2/(1 + tan^2/m^2). */
