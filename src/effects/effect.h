@@ -33,7 +33,7 @@
 #include "model/material.h"
 #include "model/vec3.h"
 
-enum { RL_EFFECT_PARAMS = 4, RL_EFFECT_KEYS_MAX = 8, RL_EFFECT_CHOICES_MAX = 4, RL_EFFECT_MODULES_MAX = 4 };
+enum { RL_EFFECT_PARAMS = 4, RL_EFFECT_KEYS_MAX = 8, RL_EFFECT_CHOICES_MAX = 4, RL_EFFECT_MODULES_MAX = 5 };
 
 /* A visible point: position, unit shading normal on the eye's side, unit direction to the eye. */
 struct rl_surface {

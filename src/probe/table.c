@@ -79,7 +79,7 @@ static void angle(const struct rl_probe *probe, const double *in, double *out)
 static void fresnel_index(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    out[0] = rl_fresnel_index(in[0]);
+    out[0] = rl_fresnel_index(in[0]).n;
 }
 
 static void fresnel(const struct rl_probe *probe, const double *in, double *out)
