@@ -62,6 +62,41 @@ static void sphere_rows(struct rl_rows *rows, const struct rl_scene *scene, cons
     }
 }
 
+/* The other objects that have the environment map of this one. */
+static void add_map_sharers(char detail[], size_t size, const struct rl_scene *scene,
+                            const struct rl_plan *plan, size_t object)
+{
+    size_t used = strlen(detail);
+    bool shared = false;
+    for (size_t i = object + 1; i < scene->n_objects && used < size; i++)
+        if (plan->environment[i] == plan->environment[object]) {
+            used += (size_t)snprintf(detail + used, size - used, "%s %s", shared ? "," : "; shared by",
+                                     scene->object[i].name);
+            shared = true;
+        }
+    if (shared && used < size)
+        snprintf(detail + used, size - used, ": one centre");
+}
+
+/* Which parts of an object's mesh are another's. */
+static void add_mesh_sharing(char detail[], size_t size, const struct rl_scene *scene,
+                             const struct rl_plan *plan, size_t object)
+{
+    static const char *const names[RL_MESH_PARTS] = {"triangles", "normals", "positions"};
+    size_t used = strlen(detail);
+    bool shared = false;
+    for (int part = 0; part < RL_MESH_PARTS && used < size; part++) {
+        size_t from = plan->object[object].mesh_from[part];
+        if (from == object)
+            continue;
+        used += (size_t)snprintf(detail + used, size - used, "%s %s of %s",
+                                 shared ? "," : "; shared:", names[part], scene->object[from].name);
+        shared = true;
+    }
+    if (shared && used < size)
+        snprintf(detail + used, size - used, ", the same byte for byte");
+}
+
 static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
 {
     char name[64];
@@ -75,13 +110,15 @@ static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, con
                  s->normal_size, s->normal_size, bits, plan->normal_map[i].rr, (unsigned long long)s->seed);
         row(rows, "texture", name, detail);
     }
+    int n_maps = 0;
     for (size_t i = 0; i < scene->n_objects; i++) {
-        if (plan->environment[i] < 0)
+        if (plan->environment[i] != n_maps)
             continue;
-        snprintf(name, sizeof name, "environment map %d", plan->environment[i]);
+        snprintf(name, sizeof name, "environment map %d", n_maps++);
         snprintf(detail, sizeof detail, "6x%dx%d %s, seen from object %s", s->env_size, s->env_size,
                  plan->on_cpu ? "exact radiance" : rl_texel_format_name(s->env_format),
                  scene->object[i].name);
+        add_map_sharers(detail, sizeof detail, scene, plan, i);
         row(rows, "texture", name, detail);
     }
     for (size_t i = 0; i < plan->n_patterns; i++) {
@@ -95,13 +132,14 @@ static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, con
 static void buffer_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
 {
     char name[128];
-    char detail[128];
+    char detail[512];
     for (size_t i = 0; i < scene->n_objects && !plan->on_cpu; i++) {
         const struct rl_mesh *mesh = &scene->object[i].mesh;
         if (!plan->object[i].drawn)
             continue;
         snprintf(name, sizeof name, "mesh of %s", scene->object[i].name);
         snprintf(detail, sizeof detail, "%zu vertices, %zu triangles", mesh->n_vertices, mesh->n_triangles);
+        add_mesh_sharing(detail, sizeof detail, scene, plan, i);
         row(rows, "buffer", name, detail);
     }
     for (int i = 0; i < RL_BUFFERS; i++) {

@@ -134,10 +134,11 @@ static int draw_environments(struct rl_gpu_scene *gs, struct rl_error *error)
     gl->DepthFunc(GL_GREATER);
     gl->ClearDepth(0.0);
     int status = RL_OK;
+    size_t drawn = 0;
     for (size_t i = 0; i < gs->scene->n_objects && status == RL_OK; i++)
-        if (gs->plan->environment[i] >= 0)
-            status =
-                draw_environment(gs, (size_t)gs->plan->environment[i], gs->scene->object[i].centre, error);
+        if (gs->plan->environment[i] ==
+            (int)drawn) /* others are those of an object before, at the same centre */
+            status = draw_environment(gs, drawn++, gs->scene->object[i].centre, error);
     gl->ClearDepth(1.0);
     gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     return status;

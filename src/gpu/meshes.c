@@ -91,26 +91,81 @@ static int make_facets(struct arrays *a, const struct rl_mesh *mesh, struct rl_e
     return status;
 }
 
+/* Those of one part stand in the buffer of it, vertex by vertex. */
+static const enum rl_mesh_part part_of[ATTRIBUTES] = {
+    [POSITION] = RL_MESH_POSITIONS,
+    [NORMAL] = RL_MESH_NORMALS,
+    [FACET_CENTRE] = RL_MESH_POSITIONS,
+    [FACET_NORMAL] = RL_MESH_POSITIONS,
+};
+
+static size_t attributes_of(const struct arrays *a, enum rl_mesh_part part)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < a->n_attributes; i++)
+        n += part_of[i] == part;
+    return n;
+}
+
+static int upload_vectors(GLuint buffer, struct rl_gl *gl, const struct arrays *a, enum rl_mesh_part part,
+                          size_t *bytes, struct rl_error *error)
+{
+    size_t size = a->n_vertices * attributes_of(a, part) * sizeof *a->attribute, n = 0;
+    float(*vector)[3] = malloc(size);
+    if (!vector)
+        return rl_fail_memory(error, "vertices");
+    for (size_t v = 0; v < a->n_vertices; v++)
+        for (size_t i = 0; i < a->n_attributes; i++)
+            if (part_of[i] == part)
+                memcpy(vector[n++], attribute(a, v, i), sizeof *vector);
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)size, vector, GL_STATIC_DRAW);
+    *bytes += size;
+    free(vector);
+    return RL_OK;
+}
+
+static void upload_triangles(GLuint buffer, struct rl_gl *gl, const struct arrays *a, size_t *bytes)
+{
+    size_t size = a->n_triangles * sizeof *a->triangle;
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)size, a->triangle, GL_STATIC_DRAW);
+    *bytes += size;
+}
+
+static void point_to(const struct rl_gpu_object *object, const struct rl_gl *gl, const struct arrays *a)
+{
+    size_t before[RL_MESH_PARTS] = {0};
+    for (size_t i = 0; i < a->n_attributes; i++) {
+        enum rl_mesh_part part = part_of[i];
+        gl->BindBuffer(GL_ARRAY_BUFFER, object->part[part]);
+        gl->EnableVertexAttribArray((GLuint)i);
+        gl->VertexAttribPointer((GLuint)i, 3, GL_FLOAT, GL_FALSE,
+                                (GLsizei)(attributes_of(a, part) * sizeof *a->attribute),
+                                (const void *)(before[part]++ * sizeof *a->attribute));
+    }
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, object->part[RL_MESH_TRIANGLES]);
+}
+
 static int upload(struct rl_gpu_object *object, struct rl_gl *gl, const struct arrays *a, size_t *bytes,
                   struct rl_error *error)
 {
-    const size_t stride = a->n_attributes * sizeof *a->attribute;
-    const size_t vertex_bytes = a->n_vertices * stride, index_bytes = a->n_triangles * sizeof *a->triangle;
+    int status = RL_OK;
     gl->GenVertexArrays(1, &object->vertex_array);
-    gl->GenBuffers(1, &object->vertex_buffer);
-    gl->GenBuffers(1, &object->index_buffer);
     gl->BindVertexArray(object->vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, object->vertex_buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertex_bytes, a->attribute, GL_STATIC_DRAW);
-    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, object->index_buffer);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)index_bytes, a->triangle, GL_STATIC_DRAW);
-    for (GLuint i = 0; i < a->n_attributes; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride,
-                                (const void *)(i * sizeof *a->attribute));
+    for (int k = 0; k < RL_MESH_PARTS && status == RL_OK; k++) {
+        if (object->part[k])
+            continue;
+        gl->GenBuffers(1, &object->part[k]);
+        if (k == RL_MESH_TRIANGLES)
+            upload_triangles(object->part[k], gl, a, bytes);
+        else
+            status = upload_vectors(object->part[k], gl, a, (enum rl_mesh_part)k, bytes, error);
     }
+    if (status != RL_OK)
+        return status;
+    point_to(object, gl, a);
     object->n_indices = (GLsizei)(3 * a->n_triangles);
-    *bytes += vertex_bytes + index_bytes;
     return rl_gl_check(gl, "uploading a mesh", error);
 }
 

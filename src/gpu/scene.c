@@ -174,7 +174,9 @@ static int make_objects(struct rl_gpu_scene *gs, struct rl_error *error)
         object->material = rl_plan_of_object(gs->plan, gs->scene, i);
         object->environment = environment >= 0 ? gs->environment[environment] : 0;
         object->n_back_faces = rl_mesh_back_faces(mesh, gs->scene->camera.position);
-        bool facets = object->material->interpolation == RL_INTERPOLATION_CONSTANT;
+        bool facets = rl_plan_facets(gs->plan, gs->scene, i);
+        for (int k = 0; k < RL_MESH_PARTS; k++)
+            object->part[k] = gs->object[gs->plan->object[i].mesh_from[k]].part[k];
         int status = rl_mesh_upload(object, &gs->gpu->gl, mesh, facets, &gs->counters.bytes_uploaded, error);
         if (status != RL_OK)
             return rl_fail_prefix(error, "object %s",
@@ -246,8 +248,9 @@ void rl_gpu_scene_free(struct rl_gpu_scene *gs)
         rl_program_free(&gs->program[i], gs->gpu);
     for (size_t i = 0; gs->object && i < gs->scene->n_objects; i++) {
         gl->DeleteVertexArrays(1, &gs->object[i].vertex_array);
-        gl->DeleteBuffers(1, &gs->object[i].vertex_buffer);
-        gl->DeleteBuffers(1, &gs->object[i].index_buffer);
+        for (int k = 0; k < RL_MESH_PARTS; k++)
+            if (gs->plan->object[i].mesh_from[k] == i)
+                gl->DeleteBuffers(1, &gs->object[i].part[k]);
     }
     if (gs->normal_map)
         free_normal_maps(gs);

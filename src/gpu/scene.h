@@ -12,7 +12,8 @@ enum { RL_BLOCK_LIGHTS, RL_BLOCK_PATTERN, RL_BLOCK_SPHERES, RL_BLOCK_SOURCES }; 
 enum { RL_STORE_POLYGONS, RL_STORE_POLYGON_VERTICES };                          /* shader storage */
 
 struct rl_gpu_object {
-    GLuint vertex_array, vertex_buffer, index_buffer;
+    GLuint vertex_array;
+    GLuint part[RL_MESH_PARTS]; /* buffers: its own, or those of the objects that the plan names */
     GLsizei n_indices;
     size_t n_back_faces; /* from where the camera was when the scene was made */
     const struct rl_plan_material *material;

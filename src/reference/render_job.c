@@ -33,7 +33,7 @@ void rl_render_job_clear(struct rl_render_job *job)
     free(job->source);
     free(job->shader);
     free(job->reached);
-    for (size_t i = 0; i < job->scene->n_objects && job->environment; i++)
+    for (size_t i = 0; i < job->plan->n_environments && job->environment; i++)
         rl_texel_map_free(job->environment[i]);
     free(job->environment);
     for (size_t i = 0; i < job->scene->n_objects && job->interpolated; i++)
@@ -77,10 +77,11 @@ static int make_visible(struct rl_render_job *job, struct rl_error *error)
 static int make_environments(struct rl_render_job *job, struct rl_error *error)
 {
     const struct rl_plan *plan = job->plan;
+    size_t made = 0;
     int status = RL_OK;
     for (size_t i = 0; i < job->scene->n_objects && status == RL_OK; i++)
-        if (plan->environment[i] >= 0)
-            status = rl_texel_map_make(&job->environment[i], job->lights, job->scene->object[i].centre,
+        if (plan->environment[i] == (int)made) /* others are those of an object before, at the same centre */
+            status = rl_texel_map_make(&job->environment[made++], job->lights, job->scene->object[i].centre,
                                        plan->settings.env_size, error);
     return status;
 }
@@ -137,7 +138,7 @@ int rl_render_job_make(struct rl_render_job *job, const struct rl_scene *scene, 
     job->n_views = job->view ? threads : 0;
     job->reached = calloc((size_t)image->width * (size_t)image->height, sizeof *job->reached);
     job->shader = calloc(plan->n_materials + 1, sizeof *job->shader);
-    job->environment = calloc(scene->n_objects + 1, sizeof(struct rl_texel_map *));
+    job->environment = calloc(plan->n_environments + 1, sizeof(struct rl_texel_map *));
     job->interpolated = calloc(scene->n_objects + 1, sizeof *job->interpolated);
     if (!job->reached || !job->shader || !job->environment || !job->interpolated ||
         (plan->shadows && (!job->view || !job->shadow_view))) {

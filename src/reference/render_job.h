@@ -38,7 +38,7 @@ struct rl_render_job {
     struct rl_source *source;             /* those that are not dropped, in the scene's order */
     struct rl_lights seen;                /* by effects, and by methods that take points */
     struct rl_render_shader *shader;      /* per plan material */
-    struct rl_texel_map **environment;    /* per object; NULL: its method needs none */
+    struct rl_texel_map **environment;    /* plan->n_environments */
     struct rl_interpolated *interpolated; /* per object */
 };
 

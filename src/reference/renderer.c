@@ -67,8 +67,9 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
                                estimate->value);
         return;
     }
-    if (job->environment[object]) {
-        count->texels += rl_texel_map_integrate(estimate->value, job->environment[object], surface,
+    const int environment = job->plan->environment[object];
+    if (environment >= 0) {
+        count->texels += rl_texel_map_integrate(estimate->value, job->environment[environment], surface,
                                                 &s->ellipsoid, pass->options.attenuation);
         return;
     }

@@ -165,12 +165,7 @@ static int check_depth(const struct rl_plan *plan, const struct rl_scene *scene,
 
 static void plan_environments(struct rl_plan *plan, const struct rl_scene *scene)
 {
-    for (size_t i = 0; i < scene->n_objects; i++) {
-        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        bool needed =
-            plan->object[i].drawn && m->method && m->method->needs_environment && plan->object[i].highlit;
-        plan->environment[i] = needed ? (int)plan->n_environments++ : -1;
-    }
+    rl_plan_share_environments(plan, scene);
     plan->environment_program =
         plan->n_environments > 0 && !plan->on_cpu ? rl_plan_environment_program(plan) : -1;
 }
@@ -261,6 +256,7 @@ int rl_plan_make(struct rl_plan *plan, const struct rl_scene *scene, const struc
         }
         plan_environments(plan, scene);
         plan->shadows = settings->shadows && (!settings->drop || !rl_plan_no_shadows(plan, scene));
+        rl_plan_share_meshes(plan, scene);
         status = check_depth(plan, scene, error);
         if (status == RL_OK)
             status = rl_plan_list_drops(plan, scene, error);

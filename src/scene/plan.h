@@ -56,10 +56,15 @@ struct rl_plan_pattern {
     const struct rl_method *method;
 };
 
+/* What is uploaded of a mesh; `positions` with what triangles have that are shaded as a whole. */
+enum rl_mesh_part { RL_MESH_TRIANGLES, RL_MESH_NORMALS, RL_MESH_POSITIONS, RL_MESH_PARTS };
+
 struct rl_plan_object {
     bool drawn; /* false: outside the view */
     bool
         highlit; /* some shaped light is in front of its surface; false: the highlight's own passes leave it out */
+    size_t mesh_from
+        [RL_MESH_PARTS]; /* the first object whose part is the same, byte for byte: itself, if no other's before it is */
 };
 
 /* What the scene has and the plan leaves out. */
@@ -86,8 +91,9 @@ struct rl_plan {
     struct rl_plan_object *object; /* per object */
     size_t n_drops;
     struct rl_plan_drop *drop;
-    size_t n_environments;   /* cube maps */
-    int *environment;        /* per object: its cube map's index, or -1 */
+    size_t n_environments; /* cube maps */
+    int *
+        environment; /* per object: its cube map's index, in the order of first use, or -1; shared by objects of one centre */
     int environment_program; /* index or -1; on the CPU none is needed */
     /* The lights' brightest component, 1 if all are dark: unsigned texels hold radiance divided by it. */
     float radiance_scale;
@@ -122,6 +128,9 @@ const char *rl_plan_buffer_name(enum rl_plan_buffer buffer);
 int rl_plan_lights_make(struct rl_lights *lights, const struct rl_plan *plan, const struct rl_scene *scene,
                         struct rl_error *error);
 size_t rl_plan_polygons(const struct rl_plan *plan, const struct rl_scene *scene);
+
+/* Whether an object that is drawn has vectors of its own for each triangle, which is shaded as a whole. */
+bool rl_plan_facets(const struct rl_plan *plan, const struct rl_scene *scene, size_t object);
 
 /* The plan of the material an object wears; NULL if no object that is drawn wears it. */
 const struct rl_plan_material *rl_plan_of_object(const struct rl_plan *plan, const struct rl_scene *scene,

@@ -11,6 +11,10 @@ enum { RL_PROGRAMS_PER_MATERIAL = 3 };
 void rl_plan_passes(struct rl_plan *plan, const struct rl_scene *scene, struct rl_plan_material *m);
 int rl_plan_environment_program(struct rl_plan *plan);
 
+/* plan_share.c: fills the objects' environment maps and the parts of meshes that they have in common. */
+void rl_plan_share_environments(struct rl_plan *plan, const struct rl_scene *scene);
+void rl_plan_share_meshes(struct rl_plan *plan, const struct rl_scene *scene);
+
 /* plan_drop.c: leaves out what cannot matter. First the objects that the camera cannot see; then, when materials have their effects and
  * methods, the lights (plan->light, plan->source) that are behind every surface that is left, and the highlights of the objects that have
  * every shaped light behind them. */

@@ -74,6 +74,11 @@ spheres() {
         "$rl" plan studies/scenes/sphere-quad.yaml --margin 0.25 | grep -q "^sphere	material [a-z]*	margin 0.25$" &&
         ! "$rl" plan studies/scenes/sphere-quad.yaml | grep -q "^sphere"
 }
+shares() {
+    "$rl" plan studies/scenes/three-lights.yaml | grep -q "^texture	environment map 0	.*; shared by ball: one centre$" &&
+        "$rl" plan studies/scenes/two-roughness.yaml | grep -q "^buffer	mesh of right	.*; shared: triangles of left, normals of left,"
+}
+check "plan says what objects share, and why" shares
 check "plan says how large the bounding spheres are, and what they keep" spheres
 
 # Rows

@@ -80,8 +80,10 @@ static inline void inventory_add_textures(struct inventory *list, const struct r
             ->made.bytes_uploaded = 16 * (size_t)plan->pattern[i].samples;
     if (plan->stencil)
         inventory_add(list, "stencil buffer");
+    int n_maps = 0;
     for (size_t i = 0; i < scene->n_objects; i++)
-        if (plan->environment[i] >= 0) {
+        if (plan->environment[i] == n_maps) {
+            n_maps++;
             struct item *item = inventory_add(list, "environment map: object %zu", i);
             item->made.textures = 1;
             item->made.draws = 6;
@@ -125,11 +127,14 @@ static inline void inventory_add_draw(struct inventory *list, const char *pass, 
 static inline void inventory_add_objects(struct inventory *list, const struct rl_plan *plan,
                                          const struct rl_scene *scene)
 {
+    static const char *const names[RL_MESH_PARTS] = {"triangles", "normals", "positions"};
     for (size_t i = 0; i < scene->n_objects; i++) {
         const struct rl_mesh *mesh = &scene->object[i].mesh;
         const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        inventory_add(list, "mesh: object %zu", i)->made.bytes_uploaded =
-            24 * mesh->n_vertices + 12 * mesh->n_triangles;
+        for (int part = 0; part < RL_MESH_PARTS; part++)
+            if (plan->object[i].mesh_from[part] == i)
+                inventory_add(list, "mesh: %s of object %zu", names[part], i)->made.bytes_uploaded =
+                    12 * (part == RL_MESH_TRIANGLES ? mesh->n_triangles : mesh->n_vertices);
         inventory_add_draw(list, "surface", i, plan, scene);
         if (m->sphere_program >= 0)
             inventory_add_draw(list, "sphere", i, plan, scene);

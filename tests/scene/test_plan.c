@@ -278,7 +278,8 @@ static void test_deterministic(void **state)
     static const char *const scenes[] = {
         "studies/scenes/teapot-star.yaml", "studies/scenes/three-lights.yaml",
         "studies/scenes/two-roughness.yaml", "studies/scenes/sphere-quad.yaml"};
-    static const size_t normal_maps[] = {1, 1, 2, 1}, environments[] = {1, 2, 2, 1};
+    static const size_t normal_maps[] = {1, 1, 2, 1},
+                        environments[] = {1, 1, 2, 1}; /* ring and ball have one centre */
     for (size_t k = 0; k < 4; k++) {
         check_ok(rl_scene_load(&scene, scenes[k], &error), &error);
         struct rl_plan other;
