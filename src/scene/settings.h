@@ -68,7 +68,8 @@ struct rl_settings {
     bool culling;
     int depth_bits;      /* of the GPU's depth buffer: 16, 24 (both whole numbers) or 32 (float) */
     bool reversed_depth; /* the GPU's depth falls from 1 at the near plane to 0 at the far one */
-    bool shadows; /* on the CPU: objects hide lights from one another, in highlights and effects; never from themselves */
+    bool
+        shadows; /* on the CPU: objects hide lights from one another, in highlights and effects; never from themselves */
 };
 
 /* The paper's: 8-bit normals, environment 256, attenuation on, margin off, orthonormal frame, no shadows,
