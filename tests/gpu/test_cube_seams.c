@@ -37,7 +37,8 @@ static GLuint numbered_cube(void)
     for (int face = 0; face < 6; face++) {
         float texel[SIZE * SIZE][4];
         for (int i = 0; i < SIZE * SIZE; i++) {
-            const float numbers[] = {(float)face, (float)(i % SIZE), (float)(i / SIZE), 1.0f};
+            int x = i % SIZE, y = i / SIZE;
+            const float numbers[] = {(float)face, (float)x, (float)y, 1.0f};
             memcpy(texel[i], numbers, sizeof numbers);
         }
         gl->TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, 0, 0, 0, SIZE, SIZE, GL_RGBA,
