@@ -13,8 +13,9 @@
 
 #include <mpfr.h>
 
-/* 780 digits: U of 5e-324 is to count beside 1, and a few hundred digits more are lost in formulas written plainly. */
-enum { EXACT_BITS = 2600, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9 };
+/* 120 digits: the worst cancellation of the catalogue is that of R_r = 1e12, some 50 digits in formulas written plainly. Where arguments of
+ * 1e-300 count beside 1, functions take more bits of their own. */
+enum { EXACT_BITS = 400, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9 };
 
 struct exact_function {
     const char *name;

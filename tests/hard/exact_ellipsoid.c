@@ -6,6 +6,9 @@
  */
 #include "exact.h"
 
+/* U may be 5e-324, and 2U - 1 is to be exact. */
+enum { INVERSE_BITS = 2600 };
+
 struct shape {
     int sign; /* of R^2 - 1 */
     mpfr_t k, range;
@@ -19,9 +22,9 @@ static void arc(mpfr_t to, const struct shape *s, mpfr_t x)
         mpfr_atanh(to, x, MPFR_RNDN);
 }
 
-static void shape_make(struct shape *s, mpfr_t rr)
+static void shape_make(struct shape *s, mpfr_t rr, mpfr_prec_t bits)
 {
-    mpfr_inits(s->k, s->range, (mpfr_ptr)0);
+    mpfr_inits2(bits, s->k, s->range, (mpfr_ptr)0);
     mpfr_sqr(s->k, rr, MPFR_RNDN);
     mpfr_sub_ui(s->k, s->k, 1, MPFR_RNDN);
     s->sign = mpfr_sgn(s->k);
@@ -39,7 +42,7 @@ void exact_ellipsoid_pdf(mpfr_t out[], mpfr_t in[])
 {
     struct shape s;
     mpfr_t sine, cosine;
-    shape_make(&s, in[0]);
+    shape_make(&s, in[0], EXACT_BITS);
     mpfr_inits(sine, cosine, (mpfr_ptr)0);
     mpfr_sin_cos(sine, cosine, in[1], MPFR_RNDN);
     if (s.sign == 0) {
@@ -64,7 +67,7 @@ void exact_ellipsoid_cdf(mpfr_t out[], mpfr_t in[])
 {
     struct shape s;
     mpfr_t sine;
-    shape_make(&s, in[0]);
+    shape_make(&s, in[0], EXACT_BITS);
     mpfr_init(sine);
     mpfr_sin(sine, in[1], MPFR_RNDN);
     if (s.sign != 0) {
@@ -82,8 +85,8 @@ void exact_ellipsoid_inverse(mpfr_t out[], mpfr_t in[])
 {
     struct shape s;
     mpfr_t u;
-    shape_make(&s, in[0]);
-    mpfr_init(u);
+    shape_make(&s, in[0], INVERSE_BITS);
+    mpfr_init2(u, INVERSE_BITS);
     /* U in [0, 1]; a step beyond an end is taken back to it. */
     mpfr_set(u, in[1], MPFR_RNDN);
     if (mpfr_sgn(u) < 0)
@@ -107,7 +110,9 @@ void exact_ellipsoid_inverse(mpfr_t out[], mpfr_t in[])
         mpfr_set_si(u, -1, MPFR_RNDN);
     mpfr_asin(out[0], u, MPFR_RNDN);
     mpfr_set(out[1], u, MPFR_RNDN);
-    mpfr_cos(out[2], out[0], MPFR_RNDN);
+    mpfr_sqr(u, u, MPFR_RNDN);
+    mpfr_ui_sub(u, 1, u, MPFR_RNDN);
+    mpfr_sqrt(out[2], u, MPFR_RNDN);
     mpfr_clear(u);
     shape_clear(&s);
 }
