@@ -19,18 +19,17 @@ enum { FIELDS_MAX = RL_PROBE_IN_MAX + 4 * RL_PROBE_OUT_MAX + 2 };
 struct reader {
     struct rl_catalogue *c;
     size_t room;
-    char *field[FIELDS_MAX];
+    const char *field[FIELDS_MAX];
 };
 
-/* Fields beyond FIELDS_MAX are not kept: there are too many in any case. */
-static size_t split(char *field[], char *line)
+/* Fields beyond FIELDS_MAX are not kept: there are too many in any case. Those that a line lacks are empty. */
+static size_t split(const char *field[], char *line)
 {
     size_t n = 0;
-    for (char *at = line; at && n < FIELDS_MAX; n++) {
-        field[n] = at;
-        at = strchr(at, '\t');
-        if (at)
-            *at++ = '\0';
+    for (size_t i = 0; i < FIELDS_MAX; i++) {
+        const char *next = strsep(&line, "\t");
+        field[i] = next ? next : "";
+        n += next != NULL;
     }
     return n;
 }
@@ -59,9 +58,9 @@ static int read_header(struct reader *r, size_t n, struct rl_error *error)
     char expected[RL_PROBE_NAME_MAX + 16];
     for (size_t i = 0; i < n_columns(p); i++) {
         column_name(expected, sizeof expected, p, i);
-        if (i >= n || strcmp(r->field[i], expected) != 0)
+        if (strcmp(r->field[i], expected) != 0)
             return rl_fail(error, RL_ERR_INPUT, "column %zu of the header: found '%.64s', expected %s", i + 1,
-                           i < n ? r->field[i] : "", expected);
+                           r->field[i], expected);
     }
     if (n > n_columns(p))
         return rl_fail(error, RL_ERR_INPUT, "found '%.64s' after the header's column why, expected its end",
@@ -79,21 +78,27 @@ static int read_number(long double *to, const struct reader *r, size_t i, struct
     return rl_fail(error, RL_ERR_INPUT, "%s: found '%.64s', expected a finite number", name, r->field[i]);
 }
 
+static void *grow(void *array, size_t size, bool *whole)
+{
+    void *grown = realloc(array, size);
+    if (grown)
+        return grown;
+    *whole = false;
+    return array;
+}
+
 static int make_room(struct reader *r, struct rl_error *error)
 {
     struct rl_catalogue *c = r->c;
+    bool whole = true;
     if (c->n_rows < r->room)
         return RL_OK;
     r->room = r->room ? 2 * r->room : 64;
-    double *rows = realloc(c->rows, r->room * c->probe.n_in * sizeof *rows);
-    c->rows = rows ? rows : c->rows;
-    void *answers = realloc(c->answers, r->room * c->probe.n_out * sizeof *c->answers);
-    c->answers = answers ? answers : c->answers;
-    size_t *line = realloc(c->line, r->room * sizeof *line);
-    c->line = line ? line : c->line;
-    const char **why = realloc(c->why, r->room * sizeof *why);
-    c->why = why ? why : c->why;
-    return rows && answers && line && why ? RL_OK : rl_fail_memory(error, "a catalogue");
+    c->rows = grow(c->rows, r->room * c->probe.n_in * sizeof *c->rows, &whole);
+    c->answers = grow(c->answers, r->room * c->probe.n_out * sizeof *c->answers, &whole);
+    c->line = grow(c->line, r->room * sizeof *c->line, &whole);
+    c->why = grow(c->why, r->room * sizeof *c->why, &whole);
+    return whole ? RL_OK : rl_fail_memory(error, "a catalogue");
 }
 
 static int read_answers(struct reader *r, struct rl_error *error)

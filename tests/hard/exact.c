@@ -175,7 +175,7 @@ static void write_header(FILE *to, const struct exact_function *f, char *field[]
 
 static void write_row(FILE *to, const struct exact_function *f, char *field[], size_t n)
 {
-    double row[EXACT_IN_MAX];
+    double row[EXACT_IN_MAX] = {0.0};
     if (n != f->n_in + 1 && n != f->n_in + 4 * f->n_out + 1)
         stop("another number of columns", "the arguments and why, or these and the answers between them");
     for (size_t i = 0; i < f->n_in; i++) {

@@ -32,7 +32,7 @@ void exact_frame(mpfr_t out[], mpfr_t in[])
     mpfr_inits2(FRAME_BITS, a, w, (mpfr_ptr)0);
     mpfr_add_si(a, n[2], sign, MPFR_RNDN);
     mpfr_si_div(a, -1, a, MPFR_RNDN);
-    for (int k = 0; k < 2; k++) {
+    for (size_t k = 0; k < 2; k++) {
         mpfr_sqr(w, n[k], MPFR_RNDN);
         mpfr_mul(w, w, a, MPFR_RNDN);
         mpfr_mul_si(w, w, k == 0 ? sign : 1, MPFR_RNDN);
