@@ -7,6 +7,7 @@
 #include "model/facets.h"
 #include "model/frame.h"
 #include "model/fresnel.h"
+#include "model/photometry.h"
 #include "probe/probe.h"
 
 static void pdf(const struct rl_probe *probe, const double *in, double *out)
@@ -74,6 +75,32 @@ static void angle(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
     out[0] = atan2(in[0], in[1]);
+}
+
+static void write_vector(double *out, rl_vec3 a)
+{
+    out[0] = a.x;
+    out[1] = a.y;
+    out[2] = a.z;
+}
+
+static void direction(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    write_vector(out, v3_normalize(v3(in[0], in[1], in[2])));
+}
+
+static void mirror(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    write_vector(out,
+                 v3_reflect(v3_normalize(v3(in[3], in[4], in[5])), v3_normalize(v3(in[0], in[1], in[2]))));
+}
+
+static void luminance(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_luminance(in);
 }
 
 static void fresnel_index(const struct rl_probe *probe, const double *in, double *out)
@@ -221,6 +248,45 @@ static const struct rl_probe probes[] = {
         .glsl = "    r[0] = angle_of(a[0], a[1]);\n",
         .absolute = 1e-6,
         .relative = 1e-6,
+    },
+    {
+        .name = "direction",
+        .summary = "a vector of any length made unit",
+        .n_in = 3,
+        .n_out = 3,
+        .n_directions = 1,
+        .n_vectors = 1,
+        .in = {{.name = "x"}, {.name = "y"}, {.name = "z"}},
+        .out = {"ux", "uy", "uz"},
+        .cpu = direction,
+        .glsl = "    vec3 u = normalize(vec3(a[0], a[1], a[2]));\n"
+                "    r = float[](u.x, u.y, u.z);\n",
+        .absolute = 1e-6,
+    },
+    {
+        .name = "mirror",
+        .summary = "L = 2 (N.V) N - V, V mirrored about N",
+        .n_in = 6,
+        .n_out = 3,
+        .n_directions = 2,
+        .n_vectors = 2,
+        .in =
+            {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}, {.name = "vx"}, {.name = "vy"}, {.name = "vz"}},
+        .out = {"lx", "ly", "lz"},
+        .cpu = mirror,
+        .glsl =
+            "    vec3 l = reflect(-normalize(vec3(a[3], a[4], a[5])), normalize(vec3(a[0], a[1], a[2])));\n"
+            "    r = float[](l.x, l.y, l.z);\n",
+        .absolute = 1e-6,
+    },
+    {
+        .name = "luminance",
+        .summary = "luminance of linear RGB, primaries and white of BT.709",
+        .n_in = 3,
+        .n_out = 1,
+        .in = {{.name = "r"}, {.name = "g"}, {.name = "b"}},
+        .out = {"y"},
+        .cpu = luminance,
     },
     {
         .name = "reflectance-index",

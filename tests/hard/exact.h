@@ -57,6 +57,9 @@ void exact_attenuation(mpfr_t out[], mpfr_t in[]);
 void exact_facets_beckmann(mpfr_t out[], mpfr_t in[]);
 void exact_facets_ellipsoid(mpfr_t out[], mpfr_t in[]);
 void exact_angle(mpfr_t out[], mpfr_t in[]);
+void exact_direction(mpfr_t out[], mpfr_t in[]);
+void exact_mirror(mpfr_t out[], mpfr_t in[]);
+void exact_luminance(mpfr_t out[], mpfr_t in[]);
 void exact_reflectance_index(mpfr_t out[], mpfr_t in[]);
 
 #endif

@@ -132,6 +132,49 @@ void exact_angle(mpfr_t out[], mpfr_t in[])
         mpfr_atan2(out[0], in[0], in[1], MPFR_RNDN);
 }
 
+void exact_direction(mpfr_t out[], mpfr_t in[])
+{
+    mpfr_t n[3];
+    unit(n, in);
+    for (int c = 0; c < 3; c++) {
+        mpfr_set(out[c], n[c], MPFR_RNDN);
+        mpfr_clear(n[c]);
+    }
+}
+
+/* 2 (N.V) N - V of unit vectors. */
+void exact_mirror(mpfr_t out[], mpfr_t in[])
+{
+    mpfr_t n[3], v[3], twice, w;
+    unit(n, in);
+    unit(v, in + 3);
+    mpfr_inits2(FRAME_BITS, twice, w, (mpfr_ptr)0);
+    mpfr_fmma(twice, n[0], v[0], n[1], v[1], MPFR_RNDN);
+    mpfr_fma(twice, n[2], v[2], twice, MPFR_RNDN);
+    mpfr_mul_2ui(twice, twice, 1, MPFR_RNDN);
+    for (int c = 0; c < 3; c++) {
+        mpfr_fms(w, twice, n[c], v[c], MPFR_RNDN);
+        mpfr_set(out[c], w, MPFR_RNDN);
+        mpfr_clears(n[c], v[c], (mpfr_ptr)0);
+    }
+    mpfr_clears(twice, w, (mpfr_ptr)0);
+}
+
+/* Y of ITU-R BT.709-6, item 3.2. */
+void exact_luminance(mpfr_t out[], mpfr_t in[])
+{
+    static const unsigned long weight[] = {2126, 7152, 722};
+    mpfr_t part;
+    mpfr_init2(part, FRAME_BITS);
+    mpfr_set_zero(out[0], 1);
+    for (size_t c = 0; c < 3; c++) {
+        mpfr_mul_ui(part, in[c], weight[c], MPFR_RNDN);
+        mpfr_div_ui(part, part, 10000, MPFR_RNDN);
+        mpfr_add(out[0], out[0], part, MPFR_RNDN);
+    }
+    mpfr_clear(part);
+}
+
 /* (1 + sqrt f)/(1 - sqrt f), at most 1e8. */
 void exact_reflectance_index(mpfr_t out[], mpfr_t in[])
 {
