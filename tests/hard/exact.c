@@ -11,8 +11,8 @@
  *     NAME_single    exact answer for the arguments rounded to single precision: directions are scaled by a power of two first
  *     NAME_single_bound
  *
- * The bound is the greatest of: 8 units in the last place, for single precision 1e-5 of the answer and 1e-6; and, where the argument's
- * own rounding moves the answer by more (a badly conditioned case), twice what all arguments together move it by when each changes by one
+ * The bound is the greatest of: 8 units in the last place, for single precision 1e-5 of the answer and 1e-6; where the function has a
+ * size of its whole, one unit in the last place of that; and, where the argument's own rounding moves the answer by more (a badly conditioned case), twice what all arguments together move it by when each changes by one
  * unit in its last place: the answer is then exact for arguments within two units of those given (Higham, Accuracy and Stability of
  * Numerical Algorithms, section 1.5, calls that mixed stability).
  */
@@ -97,12 +97,13 @@ static void add_moves(const struct exact_function *f, mpfr_t in[], mpfr_t out[],
 }
 
 /* Of the answer y whose arguments move it by `moves`. */
-static double bound(mpfr_t y, mpfr_t moves, int bits)
+static double bound(double whole, mpfr_t y, mpfr_t moves, int bits)
 {
     double value = fabs(mpfr_get_d(y, MPFR_RNDN)), moved = 2.0 * mpfr_get_d(moves, MPFR_RNDU);
     /* Down to the unit of denormal numbers; single precision has a wider bound there. */
     double ulp = value > 0.0 ? fmax(ldexp(1.0, ilogb(value) + 1 - bits), DBL_TRUE_MIN) : DBL_TRUE_MIN;
-    double least = fmax(8.0 * ulp, bits == BITS_SINGLE ? fmax(1e-5 * value, 1e-6) : 0.0);
+    double least =
+        fmax(8.0 * ulp, bits == BITS_SINGLE ? fmax(1e-5 * value, 1e-6) : ldexp(whole, -BITS_DOUBLE));
     return fmax(least, moved);
 }
 
@@ -120,6 +121,9 @@ static void print_answers(FILE *to, const struct exact_function *f, const double
         f->evaluate(out[p], in);
         add_moves(f, in, out[p], moves[p], bits[p]);
     }
+    for (size_t i = 0; i < f->n_in; i++)
+        set_argument(in[i], f, i, row[i], BITS_DOUBLE);
+    double whole = f->whole ? f->whole(in) : 0.0;
     for (size_t k = 0; k < f->n_out; k++) {
         for (int p = 0; p < 2; p++) {
             if (!mpfr_number_p(out[p][k]))
@@ -127,7 +131,8 @@ static void print_answers(FILE *to, const struct exact_function *f, const double
             /* Without the sign of zero, which no bound asks for. */
             if (mpfr_zero_p(out[p][k]))
                 mpfr_set_zero(out[p][k], 1);
-            mpfr_fprintf(to, "%.*Re\t%.3g\t", DIGITS - 1, out[p][k], bound(out[p][k], moves[p][k], bits[p]));
+            mpfr_fprintf(to, "%.*Re\t%.3g\t", DIGITS - 1, out[p][k],
+                         bound(whole, out[p][k], moves[p][k], bits[p]));
         }
     }
     for (size_t i = 0; i < f->n_in; i++)

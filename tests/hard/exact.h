@@ -22,6 +22,9 @@ struct exact_function {
     size_t n_in, n_out;
     size_t n_directions; /* triples that begin the arguments, of which only the direction counts */
     const char *out[EXACT_OUT_MAX];
+    /* Or NULL. Of the size of what the answer is made of where that may be more than it: double precision is asked for one unit in the last
+     * place of it at most. */
+    double (*whole)(mpfr_t in[]);
     /* An argument that was left out is NaN. Arguments may lie a few units in the last place beyond their range. */
     void (*evaluate)(mpfr_t out[], mpfr_t in[]);
 };
@@ -38,6 +41,7 @@ void exact_ellipsoid_inverse(mpfr_t out[], mpfr_t in[]);
 void exact_ambient(mpfr_t out[], mpfr_t in[]);
 void exact_diffuse(mpfr_t out[], mpfr_t in[]);
 void exact_diffuse_area_polygon(mpfr_t out[], mpfr_t in[]);
+double exact_diffuse_area_whole(mpfr_t in[]);
 void exact_point_light(mpfr_t out[], mpfr_t in[]);
 void exact_phong(mpfr_t out[], mpfr_t in[]);
 void exact_blinn(mpfr_t out[], mpfr_t in[]);

@@ -59,6 +59,23 @@ void exact_diffuse_area_polygon(mpfr_t out[], mpfr_t in[])
         give(out[c], over(times(in[15 + c], irradiance), pi()));
 }
 
+/* The solid angle that the triangle has at most: what it gives where it and N face each other. Seen edge on by both it gives next to nothing of
+ * that, and the sum over its edges has that error. */
+double exact_diffuse_area_whole(mpfr_t in[])
+{
+    exact_begin();
+    vec v[3];
+    num distance = number(0.0), size = number(0.0);
+    for (size_t i = 0; i < 3; i++)
+        v[i] = vector(in, 6 + 3 * i);
+    for (size_t i = 0; i < 3; i++) {
+        distance = most_of(distance, length(v[i]));
+        size = most_of(size, length(difference(v[i], v[(i + 1) % 3])));
+    }
+    return sign_of(distance) > 0 ? mpfr_get_d(square(over(least_of(size, distance), distance)), MPFR_RNDN)
+                                 : 0.0;
+}
+
 void exact_point_light(mpfr_t out[], mpfr_t in[])
 {
     exact_begin();

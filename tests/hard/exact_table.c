@@ -26,6 +26,7 @@ const struct exact_function exact_functions[] = {
      .n_in = 18,
      .n_directions = 2,
      OF_EFFECT,
+     .whole = exact_diffuse_area_whole,
      .evaluate = exact_diffuse_area_polygon},
     {.name = "phong", .n_in = 14, .n_directions = 3, OF_EFFECT, .evaluate = exact_phong},
     {.name = "blinn", .n_in = 14, .n_directions = 3, OF_EFFECT, .evaluate = exact_blinn},
