@@ -30,15 +30,16 @@ vec3 area_diffuse_area(Surface s, int first_vertex, int n, vec4 params[1])
         float cosine = dot(a, b);
         if (!(z_a > 0.0) || !(z_b > 0.0)) {
             bool up = !(z_a > 0.0);
-            vec2 part = abs(vec2(z_b, z_a)) / (abs(z_a) + abs(z_b));
-            vec3 crossing = part.x * a + part.y * b;
+            float part_b = abs(z_a) / (abs(z_a) + abs(z_b));
+            float part_a = abs(z_b) / (abs(z_a) + abs(z_b));
+            vec3 crossing = part_a * a + part_b * b;
             if (!crossed)
                 first = crossing;
             crossed = true;
             float y = dot(s.N, cross(first, crossing));
             float angle = angle_of(abs(y), dot(first, crossing));
-            sum += up == y > 0.0 ? angle : -angle;
-            sine = (up ? part.x : part.y) * size;
+            sum += (up ? angle : -angle) * sign(y);
+            sine = (up ? part_a : part_b) * size;
             cosine = dot(crossing, up ? b : a);
         }
         if (size > 0.0)

@@ -6,64 +6,152 @@
  *
  * and k_d E/pi comes back. The sum changes its sign with the winding: lights shine from both sides, so its size counts.
  *
- * What is below the horizon is cut off: an edge keeps its part above, and what closes the polygon along the horizon adds angles about N.
- * All crossings lie on one line, the polygon's plane cut by the horizon, so that angles from the first crossing to the others are signed,
- * less than pi, and add up in any order: those where the outline comes up count as ends, those where it goes down as beginnings. So no
- * list of vertices is made, and a polygon may be concave and cross often.
+ * What is below the horizon is cut off: an edge keeps its part above, and what closes the polygon along the horizon are edges like others.
+ * All crossings lie on one line, the polygon's plane cut by the horizon, so that edges from the first crossing to the others may be added
+ * with signs: those where the outline comes up count as ends, those where it goes down as beginnings. So no list of vertices is made, and a
+ * polygon may be concave and cross often.
+ *
+ * Edges of a small light nearly cancel. With f (a x b) for angle gamma, f = angle/|a x b|, and any r,
+ *
+ *     sum of f (a x b) = (1/r^2) sum of (a x b) + sum of (f - 1/r^2)(a x b),    sum of (a x b) = twice the area, along the normal
+ *
+ * the first sum does not depend on where P is and comes from differences of vertices; and where r is the distance of the farthest point,
+ * f - 1/r^2 = ((g - 1) r^2 + r (r - |a|) + |a| (r - |b|))/(r^2 |a||b|) with g = angle/sin(angle) is small with the light, so that both sums
+ * keep their relative precision. What still cancels is a light in a plane through the horizon, seen edge on from all sides: its irradiance
+ * has an error of 1e-17.
  *
  * P on an edge's line has no gamma there and the angle 0 or pi: such edges give 0. P in the polygon's plane receives nothing from a polygon
- * that it is not in; of one that it is in, it gets what is seen from one of its sides.
+ * that it is not in; on an edge or inside of one it gets a value between those of its two sides.
  *
  * Polygons of a closed mesh count half: a ray into a convex body meets two of its faces (src/scene/seen_lights.c). */
 #include "effects/lambert.h"
 
-/* The angle about N from a to b, both on the horizon. 0 where one of them is P itself: + 0.0, for atan2 makes pi of 0 and -0. */
-static double turn(rl_vec3 N, rl_vec3 a, rl_vec3 b)
+/* A polygon as P sees it: what is above the horizon, edge by edge. */
+struct outline {
+    rl_vec3 P, N;
+    const rl_vec3 *vertex;
+    int n;
+};
+
+/* The part of an edge that is above the horizon: its ends from P and from the light's own point of reference, and one end to the other,
+ * without a difference of what is far from P. */
+struct part {
+    rl_vec3 a, b, a_ref, b_ref, along;
+    bool up, down; /* it begins or ends on the horizon, where the edge crosses it */
+};
+
+/* The i-th edge's, or false: none of it is. */
+static bool part_of_edge(struct part *e, const struct outline *o, int i, rl_vec3 ref)
 {
-    return atan2(v3_dot(N, v3_cross(a, b)), v3_dot(a, b) + 0.0);
+    rl_vec3 from = o->vertex[i > 0 ? i - 1 : o->n - 1], to = o->vertex[i], edge = v3_sub(to, from);
+    *e = (struct part){
+        v3_sub(from, o->P), v3_sub(to, o->P), v3_sub(from, ref), v3_sub(to, ref), edge, false, false};
+    double z_a = v3_dot(o->N, e->a), z_b = v3_dot(o->N, e->b);
+    e->up = !(z_a > 0.0);
+    e->down = !(z_b > 0.0);
+    if (e->up && e->down)
+        return false;
+    if (!e->up && !e->down)
+        return true;
+    /* |z_b| a + |z_a| b: both terms have one sign in z. */
+    double t = fabs(z_a) / (fabs(z_a) + fabs(z_b)), rest = fabs(z_b) / (fabs(z_a) + fabs(z_b));
+    rl_vec3 crossing = v3_madd(v3_scale(rest, e->a), t, e->b);
+    rl_vec3 crossing_ref = t < 0.5 ? v3_madd(e->a_ref, t, edge) : v3_madd(e->b_ref, -rest, edge);
+    if (e->up) {
+        e->a = crossing;
+        e->a_ref = crossing_ref;
+        e->along = v3_scale(rest, edge);
+    } else {
+        e->b = crossing;
+        e->b_ref = crossing_ref;
+        e->along = v3_scale(t, edge);
+    }
+    return true;
 }
 
-/* The signed sum over edges, twice the irradiance. */
-static double edge_sum(const struct rl_surface *s, const rl_vec3 *vertex, int n)
+/* theta/sin(theta) - 1 for sin(theta) up to 1/2 and theta up to pi/6: asin's series. */
+static double excess_of_arc(double sine)
 {
-    double sum = 0.0;
-    bool crossed = false;
-    rl_vec3 first = {0.0, 0.0, 0.0};
-    rl_vec3 b = v3_sub(vertex[n - 1], s->P);
-    double z_b = v3_dot(s->N, b);
-    for (int i = 0; i < n; i++) {
-        rl_vec3 a = b;
-        double z_a = z_b;
-        b = v3_sub(vertex[i], s->P);
-        z_b = v3_dot(s->N, b);
-        if (!(z_a > 0.0) && !(z_b > 0.0))
-            continue;
-        /* a x b = a x (b - a) = b x (b - a): nothing cancels where the light is far and small, nor, by the shorter one, where one end is near. */
-        rl_vec3 across =
-            v3_cross(v3_dot(a, a) < v3_dot(b, b) ? a : b, v3_sub(vertex[i], vertex[i > 0 ? i - 1 : n - 1]));
-        double size = v3_length(across), sine = size, cosine = v3_dot(a, b);
-        if (!(z_a > 0.0) || !(z_b > 0.0)) {
-            /* Where the edge crosses the horizon, (|z_b| a + |z_a| b)/(|z_a| + |z_b|): both terms have one sign, and the angle's sine is
-             * not one of a difference, for (|z_b| a + |z_a| b) x b = |z_b| a x b. The point and not its direction alone, whose products
-             * would leave the range of numbers where the light is large or small. */
-            bool up = !(z_a > 0.0);
-            double part_a = fabs(z_b) / (fabs(z_a) + fabs(z_b)), part_b = fabs(z_a) / (fabs(z_a) + fabs(z_b));
-            rl_vec3 crossing = v3_add(v3_scale(part_a, a), v3_scale(part_b, b));
-            first = crossed ? first : crossing;
-            crossed = true;
-            sum += (up ? 1.0 : -1.0) * turn(s->N, first, crossing);
-            sine = (up ? part_a : part_b) * size;
-            cosine = v3_dot(crossing, up ? b : a);
-        }
-        if (size > 0.0)
-            sum += atan2(sine, cosine) * (v3_dot(s->N, across) / size);
+    double ss = sine * sine, term = 1.0, sum = 0.0;
+    for (int k = 1; k < 24; k++) {
+        /* (2k - 1)!!/(2k)!! sine^2k */
+        term *= ss * (2 * k - 1) / (2 * k);
+        sum += term / (2 * k + 1);
     }
     return sum;
 }
 
+/* (f - 1/r^2) (a x b).N with f (a x b) = angle gamma, for |ref| = r. */
+static double edge_term(const struct part *e, rl_vec3 N, rl_vec3 ref, double r)
+{
+    double l_a = v3_length(e->a), l_b = v3_length(e->b);
+    /* a x b = a x (b - a) = b x (b - a): nothing cancels, nor, by the shorter one, where one end is near. */
+    rl_vec3 across = v3_cross(l_a < l_b ? e->a : e->b, e->along);
+    double size = v3_length(across), cosine = v3_dot(e->a, e->b);
+    if (!(size > 0.0))
+        return 0.0;
+    double sine = size / (l_a * l_b);
+    if (!(sine < 0.5) || !(cosine > 0.0))
+        return (atan2(size, cosine) - size / r / r) * (v3_dot(N, across) / size);
+    /* r - |a| = (ref - a).(ref + a)/(r + |a|) */
+    double from_a = -v3_dot(e->a_ref, v3_add(ref, e->a)) / (r + l_a);
+    double from_b = -v3_dot(e->b_ref, v3_add(ref, e->b)) / (r + l_b);
+    double difference = excess_of_arc(sine) + (from_a + l_a * (from_b / r)) / r;
+    return difference * (v3_dot(N, across) / (l_a * l_b));
+}
+
+/* The farthest point of the outline that is above the horizon; false: nothing is. */
+static bool find_reference(rl_vec3 *ref, const struct outline *o)
+{
+    double most = -1.0;
+    for (int i = 0; i < o->n; i++) {
+        struct part e;
+        if (!part_of_edge(&e, o, i, o->P))
+            continue;
+        double a_a = v3_dot(e.a, e.a), b_b = v3_dot(e.b, e.b);
+        if (fmax(a_a, b_b) > most)
+            *ref = a_a > b_b ? e.a : e.b;
+        most = fmax(most, fmax(a_a, b_b));
+    }
+    return most > 0.0;
+}
+
+/* The signed sum over edges, twice the irradiance. */
+static double edge_sum(const struct outline *o)
+{
+    rl_vec3 ref, first = {0.0, 0.0, 0.0}, first_ref = first;
+    if (!find_reference(&ref, o))
+        return 0.0;
+    double r = v3_length(ref), sum = 0.0, area = 0.0;
+    bool crossed = false;
+    rl_vec3 at = v3_add(o->P, ref);
+    for (int i = 0; i < o->n; i++) {
+        struct part e;
+        if (!part_of_edge(&e, o, i, at))
+            continue;
+        area += v3_dot(o->N, v3_cross(e.a_ref, e.along));
+        sum += edge_term(&e, o->N, ref, r);
+        if (!e.up && !e.down)
+            continue;
+        rl_vec3 crossing = e.up ? e.a : e.b, crossing_ref = e.up ? e.a_ref : e.b_ref;
+        if (!crossed) {
+            first = crossing;
+            first_ref = crossing_ref;
+        }
+        struct part closing = {first, crossing, first_ref, crossing_ref, v3_sub(crossing_ref, first_ref),
+                               false, false};
+        double sign = e.up ? 1.0 : -1.0;
+        area += sign * v3_dot(o->N, v3_cross(first_ref, closing.along));
+        sum += sign * edge_term(&closing, o->N, ref, r);
+        crossed = true;
+    }
+    return area / r / r + sum;
+}
+
 static void area(const struct rl_surface *s, const rl_vec3 *vertex, int n, double params[][4], double rgb[3])
 {
-    double irradiance = 0.5 * fabs(edge_sum(s, vertex, n));
+    const struct outline o = {s->P, s->N, vertex, n};
+    double irradiance = 0.5 * fabs(edge_sum(&o));
     for (int c = 0; c < 3; c++)
         rgb[c] = params[0][c] * irradiance;
 }
