@@ -4,7 +4,8 @@
 #   BUILD=dir          where everything made goes, in this tree       (build; build/sanitize-... with SANITIZE)
 #   SANITIZE=list      compile with -fsanitize=list                   make SANITIZE=address,undefined test
 #   WERROR=1           warnings are errors
-#   F=names            only these of `make faults`: d-value g-reference
+#   F=names            only these of `make faults`: d-value g-reference; or of `make fuzz`: scene
+#   SECONDS=600        how long `make fuzz` runs each
 #   T=names            only these tests: module or module/name        make test T="scene/mesh model"
 #   QUICK=1            a smaller, quicker `make report` or `make bench`
 #   FULL=1             `make report` or `make bench` on the full grids: hours; may be interrupted, and goes on where it was
@@ -44,11 +45,14 @@ MAIN := $(wildcard src/cli/main.c)
 LIB_SOURCES := $(sort $(filter-out $(MAIN),$(wildcard src/*/*.c studies/*.c)))
 SHIM_SOURCE := $(wildcard src/image/oiio.cpp)
 TEST_SUPPORT := $(wildcard tests/support/*.c)
-TEST_SOURCES := $(sort $(filter-out $(TEST_SUPPORT),$(wildcard tests/*/test_*.c)))
+# Harnesses of fuzzers: linked with this one file, which replays their corpora, they are tests like the others.
+REPLAY := tests/fuzz/replay.c
+FUZZERS := $(sort $(filter-out $(REPLAY) tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)))
+TEST_SOURCES := $(sort $(filter-out $(TEST_SUPPORT),$(wildcard tests/*/test_*.c)) $(FUZZERS))
 TEST_SCRIPTS := $(sort $(wildcard tests/*/test_*.sh))
 # The program that writes the exact answers of the hard cases.
 EXACT_SOURCES := $(wildcard tests/hard/exact*.c)
-C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES) $(EXACT_SOURCES)
+C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES) $(REPLAY) $(EXACT_SOURCES)
 ALL_SOURCES := $(C_SOURCES) $(SHIM_SOURCE) $(wildcard .ci/*.c) $(wildcard src/*/*.h studies/*.h tests/*/*.h)
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $1))
@@ -112,7 +116,7 @@ FORCE:
 # (see .ci/setup) takes place, and then reads it. Goals that compile nothing go without it.
 LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp sleef
 HEADER_MODULES := osmesa egl
-NO_COMPILE := help clean uninstall setup format format-check
+NO_COMPILE := help clean uninstall setup format format-check fuzz
 GOALS := $(or $(MAKECMDGOALS),all)
 PURPOSES := build $(filter test report,$(GOALS:hard-answers=test)) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
 	$(if $(findstring clang,$(CC)),clang)
@@ -206,6 +210,20 @@ $(BUILD)/tests/hard/exact: $(call object,$(EXACT_SOURCES)) $(EXTRA)
 	$(if $(V),,@echo "  LINK    $@")
 	$(Q)$(C_LINK) $^ -lmpfr -lgmp -lm -o $@
 
+# The harness of scenes reads no mesh files, and makes small shapes.
+$(BUILD)/tests/fuzz/scene $(BUILD)/fuzzers/scene: TEST_LIBS += -Wl,--wrap=rl_mesh_load,--wrap=rl_shape_build
+
+$(FUZZERS:%.c=$(BUILD)/%): $(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(call object,$(REPLAY)) $(EXTRA) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  LINK    $@")
+	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
+
+# The same with libFuzzer; see `make fuzz`.
+$(BUILD)/fuzzers/%: $(BUILD)/obj/tests/fuzz/%.o $(EXTRA) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(if $(V),,@echo "  LINK    $@")
+	$(Q)$(C_LINK) -fsanitize=fuzzer $^ $(LIBS) $(TEST_LIBS) -o $@
+
 # It plants normals of another R_r than was asked for.
 $(BUILD)/tests/studies/test_distribution: TEST_LIBS += -Wl,--wrap=rl_ellipsoid_make
 
@@ -272,6 +290,21 @@ check-errors: all
 ## Plant faults (tests/faults) one by one: does check-errors see each? Some 20 s each; rows on stdout
 faults: all
 	@BUILD=$(BUILD) tests/faults/run.sh $(F)
+
+all_fuzzers := $(FUZZERS:tests/fuzz/%.c=%)
+no_fuzzers := $(filter-out $(all_fuzzers),$(F))
+$(if $(and $(no_fuzzers),$(filter fuzz,$(GOALS))),\
+	$(error no fuzzer is called '$(no_fuzzers)'; there are: $(all_fuzzers)))
+fuzzers := $(or $(F),$(all_fuzzers))
+
+# libFuzzer is clang's. Its objects go into a folder of their own; what is found, into its findings; inputs that reach new code, into its
+# corpus, from where the next run goes on.
+.PHONY: fuzz
+## Fuzz scene files, integrate, probe, merge and mesh files (libFuzzer), 10 min each; findings go to build/fuzz/findings
+fuzz:
+	@$(MAKE) --no-print-directory CC=$(if $(findstring clang,$(CC)),$(CC),clang) BUILD=$(BUILD)/fuzz \
+		SANITIZE=fuzzer-no-link,address,undefined $(fuzzers:%=$(BUILD)/fuzz/fuzzers/%)
+	@BUILD=$(BUILD)/fuzz tests/fuzz/run.sh $(or $(SECONDS),600) $(fuzzers)
 
 # ---- Care of the sources ------------------------------------------------------------------------------------------
 
