@@ -1,7 +1,8 @@
 /* Errors as values: every function that can fail returns 0 or a negative rl_status and fills a message.
  *
  * The message is one line, without a newline: what was found, where (file:line, key or argument), and what was
- * expected. Only src/cli prints it. `error` may be NULL where the caller needs the code alone.
+ * expected. Control characters in it become '?', wherever they came from. Only src/cli prints it. `error` may be
+ * NULL where the caller needs the code alone.
  *
  *     struct rl_error error;
  *     if (rl_scene_load(&scene, path, &error) != RL_OK)

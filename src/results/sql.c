@@ -155,10 +155,6 @@ int rl_sql_real(const struct rl_database *db, sqlite3_stmt *statement, int colum
     if (type == SQLITE_TEXT)
         snprintf(found, sizeof found, "the text '%.40s'",
                  (const char *)sqlite3_column_text(statement, column));
-    /* What is not from here must not break the line. */
-    for (char *c = found; *c; c++)
-        if ((unsigned char)*c < ' ')
-            *c = '?';
     return rl_fail(
         error, RL_ERR_INPUT,
         "%s: damaged: table %s, column %s, row of %s: found %s, expected a number; put it aside and "

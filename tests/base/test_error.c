@@ -50,12 +50,24 @@ static void test_long_messages_are_cut(void **state)
     assert_non_null(strstr(error.message, "p: what happened"));
 }
 
+/* Whatever is quoted in it: a message is one line, and tells a terminal nothing. */
+static void test_messages_are_one_line(void **state)
+{
+    (void)state;
+    struct rl_error error;
+    rl_error_set(&error, RL_ERR_INPUT, "found '%s'", "a\nb\tc\033[2J\x7f\001 \303\244");
+    assert_string_equal(error.message, "found 'a?b?c?[2J?? \303\244'");
+    rl_fail_prefix(&error, "a%sb", "\r\n");
+    assert_string_equal(error.message, "a??b: found 'a?b?c?[2J?? \303\244'");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fail_fills_and_returns),
         cmocka_unit_test(test_prefix),
         cmocka_unit_test(test_long_messages_are_cut),
+        cmocka_unit_test(test_messages_are_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
