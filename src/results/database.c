@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/files.h"
+#include "results/database_check.h"
 #include "results/sql.h"
 
 /* Marks a file as this program's (SQLite keeps both numbers in the header): "rlgt", and the version of the tables. */
@@ -99,26 +100,6 @@ static int make_tables(struct rl_database *db, struct rl_error *error)
     return rl_sql_end(db, status, error);
 }
 
-static int check_integrity(struct rl_database *db, struct rl_error *error)
-{
-    sqlite3_stmt *statement = NULL;
-    int status = rl_sql_prepare(db, &statement, error, "PRAGMA quick_check(1)", "");
-    if (status != RL_OK)
-        return status;
-    char answer[256] = "";
-    status = rl_sql_row(db, statement, error);
-    if (status > 0)
-        rl_sql_text(statement, 0, answer, sizeof answer);
-    sqlite3_finalize(statement);
-    if (status < 0)
-        return status;
-    answer[strcspn(answer, "\n")] = '\0';
-    if (strcmp(answer, "ok") != 0)
-        return rl_fail(error, RL_ERR_INPUT, "%s: damaged (%s); put it aside and run the studies again",
-                       db->path, answer);
-    return RL_OK;
-}
-
 /* Makes the tables in an empty file; refuses one that is another program's or of another version. */
 static int check_tables(struct rl_database *db, enum rl_database_mode mode, struct rl_error *error)
 {
@@ -141,7 +122,7 @@ static int check_tables(struct rl_database *db, enum rl_database_mode mode, stru
     if (version != TABLES_VERSION)
         return rl_fail(error, RL_ERR_INPUT, "%s: tables of version %lld, this program reads version %d",
                        db->path, (long long)version, TABLES_VERSION);
-    return check_integrity(db, error);
+    return rl_database_check(db, tables, error);
 }
 
 static int open_file(struct rl_database *db, enum rl_database_mode mode, struct rl_error *error)
@@ -160,7 +141,9 @@ static int open_file(struct rl_database *db, enum rl_database_mode mode, struct 
         return rl_sql_fail(db, code, error);
     sqlite3_extended_result_codes(db->handle, 1);
     sqlite3_busy_timeout(db->handle, BUSY_TIMEOUT_MS);
-    int status = rl_sql_script(db, "PRAGMA foreign_keys = ON", error);
+    int status = rl_database_distrust(db, error);
+    if (status == RL_OK)
+        status = rl_sql_script(db, "PRAGMA foreign_keys = ON", error);
     return status == RL_OK ? check_tables(db, mode, error) : status;
 }
 

@@ -129,6 +129,10 @@ void rl_sql_text(sqlite3_stmt *statement, int column, char *text, size_t size)
 {
     const unsigned char *value = sqlite3_column_text(statement, column);
     snprintf(text, size, "%s", value ? (const char *)value : "");
+    /* It will be part of a line, of a table or on a terminal. */
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 0x7f)
+            *text = '?';
 }
 
 /* "row case 7, metric rmse" */

@@ -43,7 +43,7 @@ void rl_sql_forget(struct rl_database *db);
 /* The next row: 1, no more: 0, or a negative status. */
 int rl_sql_row(const struct rl_database *db, sqlite3_stmt *statement, struct rl_error *error);
 
-/* A column of the present row; NULL becomes "". */
+/* A column of the present row; NULL becomes "", control characters '?'. */
 void rl_sql_text(sqlite3_stmt *statement, int column, char *text, size_t size);
 
 /* Where a row comes from, for errors. */
