@@ -2,6 +2,7 @@
  * copied is decided here, from both plans. */
 #include "results/merge.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -114,25 +115,31 @@ static struct rl_record *find(struct merge *m, const struct rl_record *r, uint64
     return NULL;
 }
 
-static struct rl_record *add(struct merge *m, const struct rl_record *r, uint64_t key, int first_group,
-                             struct rl_error *error)
+static int add(struct merge *m, struct rl_record **added, const struct rl_record *r, uint64_t key,
+               int64_t first_group, struct rl_error *error)
 {
     struct rl_place place = {r->study, r->scene, r->scene_path, strtoull(r->scene_hash, NULL, 16)};
-    m->key[m->have->n_records] = key;
-    struct rl_record *added = rl_run_add(m->have, &place, first_group + r->group, error, "%s", r->parameters);
-    if (added)
-        memcpy(added->identity, r->identity, sizeof added->identity);
+    if (r->group > INT_MAX - first_group)
+        return rl_fail(error, RL_ERR_INPUT,
+                       "%s: study %s: found group %d to be added to %lld others, expected to count up to %d",
+                       m->path, r->study, r->group, (long long)first_group, INT_MAX);
+    *added = rl_run_add(m->have, &place, (int)first_group + r->group, error, "%s", r->parameters);
+    if (!*added)
+        return RL_ERR_SYSTEM;
+    m->key[m->have->n_records - 1] = key;
+    memcpy((*added)->identity, r->identity, sizeof(*added)->identity);
     m->changed = true;
-    return added;
+    return RL_OK;
 }
 
 /* A case of the other file: into the plan if it is not there, and copied if that is a gain. */
-static int take(struct merge *m, const struct rl_record *r, int first_group, struct rl_error *error)
+static int take(struct merge *m, const struct rl_record *r, int64_t first_group, struct rl_error *error)
 {
     uint64_t key = rl_record_key(r);
     struct rl_record *have = find(m, r, key);
-    if (!have && !(have = add(m, r, key, first_group, error)))
-        return RL_ERR_SYSTEM;
+    int status = have ? RL_OK : add(m, &have, r, key, first_group, error);
+    if (status != RL_OK)
+        return status;
     if (r->status == RL_RECORD_PLANNED)
         return RL_OK;
     if (have->status == RL_RECORD_OK && r->status == RL_RECORD_OK)
@@ -143,11 +150,13 @@ static int take(struct merge *m, const struct rl_record *r, int first_group, str
     }
     /* An earlier run than the plan's may have measured it. */
     enum rl_record_status state;
-    int status = rl_database_state(m->into, r->identity, &state, error);
-    if (status == RL_OK && state != RL_RECORD_OK) {
+    status = rl_database_state(m->into, r->identity, &state, error);
+    if (status != RL_OK)
+        return status;
+    if (state != RL_RECORD_OK) {
         status = copy_case(m->into, r->identity, error);
         m->outcome->copied++;
-    } else if (status == RL_OK) {
+    } else {
         m->outcome->known++;
     }
     m->changed = m->changed || strcmp(have->identity, r->identity) != 0;
@@ -157,10 +166,10 @@ static int take(struct merge *m, const struct rl_record *r, int first_group, str
 }
 
 /* Numbers the plan's cases, and gives the other file's groups numbers of their own: the first of them. */
-static int prepare(struct merge *m)
+static int64_t prepare(struct merge *m)
 {
     struct rl_run *have = m->have;
-    int first_group = 0;
+    int64_t first_group = 0;
     if (have->n_records == 0) {
         memcpy(have->grid, m->more->grid, sizeof have->grid);
         memcpy(have->started, m->more->started, sizeof have->started);
@@ -168,14 +177,14 @@ static int prepare(struct merge *m)
     }
     for (size_t i = 0; i < have->n_records; i++) {
         m->key[i] = rl_record_key(&have->record[i]);
-        first_group = have->record[i].group >= first_group ? have->record[i].group + 1 : first_group;
+        first_group = have->record[i].group >= first_group ? (int64_t)have->record[i].group + 1 : first_group;
     }
     return first_group;
 }
 
 static int take_all(struct merge *m, struct rl_error *error)
 {
-    int first_group = prepare(m);
+    int64_t first_group = prepare(m);
     int status = rl_sql_run(m->into, error, "ATTACH ? AS source", "t", m->path);
     if (status != RL_OK)
         return status;

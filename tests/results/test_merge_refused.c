@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include <sqlite3.h>
 #include <cmocka.h>
 
 #include "results/merge_files.h"
@@ -93,11 +94,44 @@ static void test_bad_files(void **state)
     expect("oo....", 0.0);
 }
 
+/* Groups of the other file get the numbers behind those that are there, as far as there are numbers. */
+static void test_group_numbers(void **state)
+{
+    (void)state;
+    struct rl_merge_outcome o;
+    struct rl_error error;
+    struct file last = plain, other = plain;
+    sqlite3 *raw = NULL;
+    last.state = other.state = "oo....";
+    other.scene = 8; /* cases of their own */
+    remove(path[0]);
+    make(1, &last);
+    make(2, &other);
+    sqlite3_open(path[1], &raw);
+    assert_int_equal(sqlite3_exec(raw, "UPDATE run_cases SET group_number = 2147483647", NULL, NULL, NULL),
+                     0);
+    sqlite3_close(raw);
+    for (int again = 0; again < 2; again++) {
+        check_ok(merge(1, false, &o, &error), &error);
+        rl_merge_outcome_clear(&o);
+    }
+    check_fails(
+        merge(2, true, &o, &error), &error, RL_ERR_INPUT,
+        "2.db: study samples: found group 0 to be added to 2147483648 others, expected to count up to "
+        "2147483647");
+    rl_merge_outcome_clear(&o);
+    struct rl_run run;
+    load(&run, 0);
+    assert_int_equal(run.n_records, CASES);
+    rl_run_clear(&run);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_mixed),
         cmocka_unit_test(test_bad_files),
+        cmocka_unit_test(test_group_numbers),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
