@@ -50,9 +50,10 @@ REPLAY := tests/fuzz/replay.c
 FUZZERS := $(sort $(filter-out $(REPLAY) tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)))
 TEST_SOURCES := $(sort $(filter-out $(TEST_SUPPORT),$(wildcard tests/*/test_*.c)) $(FUZZERS))
 TEST_SCRIPTS := $(sort $(wildcard tests/*/test_*.sh))
-# The program that writes the exact answers of the hard cases.
-EXACT_SOURCES := $(wildcard tests/hard/exact*.c)
-C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES) $(REPLAY) $(EXACT_SOURCES)
+# The programs that write the exact answers of the hard cases: functions of the probe; lights seen from a point.
+EXACT_LINES_SOURCES := $(wildcard tests/hard/exact_lines*.c)
+EXACT_SOURCES := $(filter-out $(EXACT_LINES_SOURCES),$(wildcard tests/hard/exact*.c))
+C_SOURCES := $(MAIN) $(LIB_SOURCES) $(TEST_SUPPORT) $(TEST_SOURCES) $(REPLAY) $(EXACT_SOURCES) $(EXACT_LINES_SOURCES)
 ALL_SOURCES := $(C_SOURCES) $(SHIM_SOURCE) $(wildcard .ci/*.c) $(wildcard src/*/*.h studies/*.h tests/*/*.h)
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $1))
@@ -206,6 +207,8 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(EXTRA)
 	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/hard/exact: $(call object,$(EXACT_SOURCES)) $(EXTRA)
+$(BUILD)/tests/hard/exact_lines: $(call object,$(EXACT_LINES_SOURCES)) $(EXTRA)
+$(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines:
 	@mkdir -p $(@D)
 	$(if $(V),,@echo "  LINK    $@")
 	$(Q)$(C_LINK) $^ -lmpfr -lgmp -lm -o $@
@@ -243,7 +246,8 @@ grid = $(if $(QUICK),--quick)$(if $(FULL),--full)
 
 .PHONY: test report bench
 ## Build, and run every test, or those that T names
-test: all $(TEST_PROGRAMS) $(BUILD)/tests/hard/exact
+test: all $(TEST_PROGRAMS) $(BUILD)/tests/hard/exact \
+	$(if $(filter tests/hard/test_exact_lines.sh,$(TESTS)),$(BUILD)/tests/hard/exact_lines)
 	$(if $(TESTS),,$(if $(T),$(error no test is called '$(T)'; there are: \
 		$(call test_names,$(TEST_SOURCES) $(TEST_SCRIPTS)))))
 	@BUILD=$(BUILD) ROUGHLIGHT=$(BUILD)/roughlight .ci/run-tests $(TESTS)
@@ -273,8 +277,9 @@ hard: all
 	@$(BUILD)/roughlight hard
 
 ## Write exact answers and bounds into the catalogue of hard cases (tests/hard/*.tsv), from MPFR
-hard-answers: $(BUILD)/tests/hard/exact
-	$(BUILD)/tests/hard/exact $(wildcard tests/hard/*.tsv)
+hard-answers: $(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines
+	$(BUILD)/tests/hard/exact $(filter-out tests/hard/lights.tsv,$(wildcard tests/hard/*.tsv))
+	$(BUILD)/tests/hard/exact_lines tests/hard/lights.tsv
 
 # Before anything is built for it.
 all_faults := $(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch)))
