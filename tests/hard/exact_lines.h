@@ -67,7 +67,7 @@ void vector_unit(vector a);
 void rule_make(struct rule *rule, int n);
 void rule_clear(struct rule *rule);
 
-/* exact_lines_radial.c. R = 1 is done as 1 + 2^-(a quarter of the bits). */
+/* exact_lines_radial.c. R = 1 is done as 1 + 2^-(two fifths of the bits). */
 void lobe_make(struct lobe *lobe, mpfr_t rr, bool attenuation);
 void lobe_clear(struct lobe *lobe);
 /* F where q/|q| = (x, y)/|q| and H = (sine, cosine) along it; folded: on the far side of delta = pi/2. */

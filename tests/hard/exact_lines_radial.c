@@ -101,7 +101,7 @@ void lobe_make(struct lobe *lobe, mpfr_t rr, bool attenuation)
     lobe->attenuation = attenuation;
     mpfr_set(lobe->rr, rr, MPFR_RNDN);
     if (mpfr_cmp_ui(rr, 1) == 0) {
-        mpfr_set_ui_2exp(lobe->k, 1, -(mpfr_exp_t)(mpfr_get_default_prec() / 4), MPFR_RNDN);
+        mpfr_set_ui_2exp(lobe->k, 1, -(mpfr_exp_t)(mpfr_get_default_prec() * 2 / 5), MPFR_RNDN);
         mpfr_add(lobe->rr, lobe->rr, lobe->k, MPFR_RNDN);
     }
     mpfr_sqr(lobe->kk, lobe->rr, MPFR_RNDN);
