@@ -14,7 +14,10 @@ vec3 fresnel(vec3 n, vec3 k, vec3 n_n_1, float c, float ss)
     bvec3 positive = greaterThanEqual(x, vec3(0.0));
     vec3 a = sqrt(mix(smaller, larger, positive));
     vec3 bb = mix(larger, smaller, positive);
-    vec3 a_c = mix(a - c, (n_n_1 - kk + bb) / max(a + c, 1e-37), positive);
+    // a^2 - c^2 = n^2 - 1 - k^2 + b^2: near n = 1 a - c cancels.
+    bvec3 close = lessThan(max(a, c) - 2.0 * min(a, vec3(c)), vec3(0.0));
+    vec3 fused = (n_n_1 - kk + bb) / max(a + c, 1e-37);
+    vec3 a_c = mix(a - c, fused, bvec3(ivec3(close) * ivec3(positive)));
     vec3 r_s = (a_c * a_c + bb) / max((a + c) * (a + c) + bb, 1e-37);
     vec3 ac = a * c;
     vec3 p = ((ac - ss) * (ac - ss) + bb * c * c) / max((ac + ss) * (ac + ss) + bb * c * c, 1e-37);

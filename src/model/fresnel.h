@@ -36,7 +36,8 @@ static inline double rl_fresnel_of(struct rl_fresnel_index index, double c, doub
     double below = (a + c) * (a + c) + bb;
     if (!(below > 0.0))
         return 0.0;
-    double a_c = x >= 0.0 ? (index.n_n_1 - k * k + bb) / (a + c) : a - c;
+    /* a^2 - c^2 = n^2 - 1 - k^2 + b^2: near n = 1 the difference of a and c, which is all that is reflected, cancels. */
+    double a_c = x >= 0.0 && a < 2.0 * c && c < 2.0 * a ? (index.n_n_1 - k * k + bb) / (a + c) : a - c;
     double r_s = (a_c * a_c + bb) / below;
     double p_below = (a * c + ss) * (a * c + ss) + bb * c * c;
     double p = p_below > 0.0 ? ((a * c - ss) * (a * c - ss) + bb * c * c) / p_below : 1.0;

@@ -74,7 +74,7 @@ static void facets_ellipsoid(const struct rl_probe *probe, const double *in, dou
 static void angle(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    out[0] = atan2(in[0], in[1]);
+    out[0] = atan2(in[0], in[1] + 0.0); /* of 0, 0 it is 0, whatever their signs */
 }
 
 static void write_vector(double *out, rl_vec3 a)

@@ -73,6 +73,9 @@ static void check_mirror(const struct rl_probe *p, const double *in, const doubl
     require(memcmp(there, out, 3 * sizeof *out) == 0, in, p->n_in);
     if (!whole)
         return;
+    /* Of a corner of 1e-79 of a light the edges' squares leave the range of numbers, at one size before the other. */
+    if (p->polygon && fmax(out[0], fmax(out[1], out[2])) < 1e-120)
+        return;
     rl_probe_cpu(p, halved, 1, there);
     require(memcmp(there, out, 3 * sizeof *out) == 0, in, p->n_in);
 }
