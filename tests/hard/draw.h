@@ -23,14 +23,15 @@ struct draw {
     bool single; /* exponents of single precision, and numbers that it holds */
 };
 
+/* SplitMix64; seeds are few here, and far apart, so that they need no mixing of their own. */
 static inline uint64_t draw_bits(struct draw *d)
 {
-    return rl_random_bits(d->seed, d->index++);
+    return rl_random_mix(d->seed + ++d->index * UINT64_C(0x9e3779b97f4a7c15));
 }
 
 static inline double draw_uniform(struct draw *d)
 {
-    return rl_random_uniform(d->seed, d->index++);
+    return ((double)(draw_bits(d) >> 12) + 0.5) * 0x1p-52;
 }
 
 /* Below n. */
