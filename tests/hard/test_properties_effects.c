@@ -53,6 +53,11 @@ static bool in_its_plane(const double *in)
     return fabs(v3_dot(a, v3_cross(b, c))) < 1e-12;
 }
 
+static bool same(const double a[3], const double b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /* Every vector mirrored at x = 0, and every one halved: to the bit. */
 static void check_mirror(const struct rl_probe *p, const double *in, const double *out)
 {
@@ -70,14 +75,14 @@ static void check_mirror(const struct rl_probe *p, const double *in, const doubl
         whole = whole && (in[i] == 0.0 || large);
     }
     rl_probe_cpu(p, mirrored, 1, there);
-    require(memcmp(there, out, 3 * sizeof *out) == 0, in, p->n_in);
+    require(same(there, out), in, p->n_in);
     if (!whole)
         return;
     /* Of a corner of 1e-79 of a light the edges' squares leave the range of numbers, at one size before the other. */
     if (p->polygon && fmax(out[0], fmax(out[1], out[2])) < 1e-120)
         return;
     rl_probe_cpu(p, halved, 1, there);
-    require(memcmp(there, out, 3 * sizeof *out) == 0, in, p->n_in);
+    require(same(there, out), in, p->n_in);
 }
 
 static void check_exchange(const struct rl_probe *p, const double *in, const double *out)
