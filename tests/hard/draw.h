@@ -143,7 +143,7 @@ static inline rl_vec3 draw_direction(struct draw *d)
     return v3(v[0], v[1], v[2]);
 }
 
-/* a b summed over components, in units that neither overflow nor vanish. */
+/* The unit vector, moved by a distance of any exponent. */
 static inline rl_vec3 draw_off(struct draw *d, rl_vec3 unit)
 {
     double size = draw_exponent(d, d->single ? -30 : -60, 1);

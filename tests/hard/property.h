@@ -1,5 +1,5 @@
-/* What tests of properties say and how: the first input that lacks a property is printed with all its digits, and counted rows and the
- * worst of what was measured go to the log. Include after cmocka.h. */
+/* How tests of properties say what is not so: the property, as it is written in the test, and all digits of the first input that lacks it.
+ * Include after cmocka.h. */
 #ifndef RL_TESTS_HARD_PROPERTY_H
 #define RL_TESTS_HARD_PROPERTY_H
 
