@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/hash.h"
 #include "model/random.h"
 #include "probe/probe.h"
 #include "probe/rounding.h"
@@ -198,7 +199,8 @@ static void test_parity(void **state)
         double *rows = malloc(ROWS * p.n_in * sizeof *rows);
         double *cpu = malloc(ROWS * p.n_out * sizeof *cpu), *shader = malloc(ROWS * p.n_out * sizeof *shader);
         assert_true(rows && cpu && shader);
-        uint64_t index = (uint64_t)k << 32;
+        /* By the name: a new probe leaves the others their rows. */
+        uint64_t index = rl_hash_bytes(RL_HASH_START, p.name, strlen(p.name));
         for (size_t i = 0; i < ROWS; i++) {
             /* Combinations that an effect refuses are drawn again. */
             int status = RL_ERR_INPUT;
