@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "model/frame.h"
+#include "reference/side.h"
 
 static void place_outline(struct rl_cast_polygon *polygon, struct rl_point2 *out, const rl_vec3 *vertex,
                           rl_vec3 P)
@@ -36,12 +37,11 @@ int rl_cast_make(struct rl_cast *cast, rl_vec3 P, const struct rl_light_set *set
         struct rl_cast_polygon *to = &cast->polygon[i];
         const struct rl_frame frame = rl_frame_make(RL_FRAME_ORTHONORMAL, from->normal);
         rl_vec3 origin = v3_sub(set->vertex[from->first], P);
-        double distance = v3_dot(from->normal, origin);
         *to = (struct rl_cast_polygon){
             .origin = origin, .T = frame.T, .B = frame.B, .normal = from->normal, .n = from->n};
-        if (!(fabs(distance) > from->thickness + 1e-15 * v3_length(origin)))
+        to->distance = rl_side_distance(set, from, P);
+        if (to->distance == 0.0)
             continue;
-        to->distance = distance;
         place_outline(to, &cast->vertex[from->first], &set->vertex[from->first], P);
     }
     return RL_OK;

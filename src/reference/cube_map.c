@@ -8,6 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "reference/side.h"
+
 /* Axes s, t and outward of each face. */
 static const signed char axes[RL_CUBE_FACES][3][3] = {
     {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}},  /* +x */
@@ -181,8 +183,8 @@ static void draw_face(struct face *f, const struct rl_light_set *set, rl_vec3 fr
 {
     for (size_t i = 0; i < set->n_polygons; i++) {
         const struct rl_set_polygon *polygon = &set->polygon[i];
-        double distance = v3_dot(polygon->normal, v3_sub(set->vertex[polygon->first], from));
-        if (!(fabs(distance) > polygon->thickness))
+        double distance = rl_side_distance(set, polygon, from);
+        if (distance == 0.0)
             continue; /* seen edge-on */
         for (size_t k = 0; k < polygon->n; k++)
             f->vertex[k] = rl_cube_on_face(f->number, v3_sub(set->vertex[polygon->first + k], from));

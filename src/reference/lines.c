@@ -2,6 +2,7 @@
 #include "reference/lines.h"
 
 #include "model/frame.h"
+#include "reference/side.h"
 
 static size_t aligned(size_t bytes)
 {
@@ -76,8 +77,12 @@ static struct corner corner(const struct rl_lines *lines, size_t polygon, const 
 static void start_edge(struct rl_lines *lines, rl_vec3 p, rl_vec3 m, bool inner)
 {
     rl_vec3 start = v3_normalize(p);
-    lines->edge[lines->n_edges++] = (struct rl_edge){
-        .m = m, .start = start, .q_x = lines->v_x + start.x, .q_y = lines->v_y + start.y, .inner = inner};
+    lines->edge[lines->n_edges++] = (struct rl_edge){.m = m,
+                                                     .start = start,
+                                                     .q_x = lines->v_x + start.x,
+                                                     .q_y = lines->v_y + start.y,
+                                                     .inner = inner,
+                                                     .reach = v3_dot(start, p)};
 }
 
 /* Sutherland and Hodgman (1974) against the plane z = 0. A polygon that is cut into several parts stays one loop, joined along
@@ -116,7 +121,8 @@ static void close_loop(struct rl_edge *edge, size_t n)
     }
 }
 
-/* Whether direction L hits the polygon: point in polygon by crossing number, in the polygon's plane with one axis dropped. */
+/* Whether direction L hits the polygon: point in polygon by crossing number, in the polygon's plane with one axis dropped. Corners are
+ * where they are, and not where their directions hit the plane: P may lie so near to it that it is seen edge-on but for rounding. */
 static bool hits(const struct rl_edge *edge, size_t n, rl_vec3 nearness, rl_vec3 L)
 {
     double near = v3_dot(nearness, L);
@@ -127,24 +133,14 @@ static bool hits(const struct rl_edge *edge, size_t n, rl_vec3 nearness, rl_vec3
     double x = (drop == 0 ? L.y : L.x) / near, y = (drop == 2 ? L.y : L.z) / near;
     bool inside = false;
     for (size_t i = 0; i < n; i++) {
-        rl_vec3 p = edge[i].start, q = edge[i].end;
-        double p_near = v3_dot(nearness, p), q_near = v3_dot(nearness, q);
-        double px = (drop == 0 ? p.y : p.x) / p_near, py = (drop == 2 ? p.y : p.z) / p_near;
-        double qx = (drop == 0 ? q.y : q.x) / q_near, qy = (drop == 2 ? q.y : q.z) / q_near;
+        rl_vec3 p = v3_scale(edge[i].reach, edge[i].start),
+                q = v3_scale(edge[i + 1 < n ? i + 1 : 0].reach, edge[i].end);
+        double px = drop == 0 ? p.y : p.x, py = drop == 2 ? p.y : p.z;
+        double qx = drop == 0 ? q.y : q.x, qy = drop == 2 ? q.y : q.z;
         if ((py > y) != (qy > y) && x < px + (qx - px) * (y - py) / (qy - py))
             inside = !inside;
     }
     return inside;
-}
-
-/* Seen edge-on it covers nothing. */
-static signed char facing_of(const struct rl_light_set *set, const struct rl_set_polygon *polygon, rl_vec3 P)
-{
-    rl_vec3 first = v3_sub(set->vertex[polygon->first], P);
-    double distance = v3_dot(polygon->normal, first);
-    if (!(fabs(distance) > polygon->thickness + 1e-15 * v3_length(first)))
-        return 0;
-    return distance < 0.0 ? -1 : 1;
 }
 
 /* Whether L lies on an edge, other than one between two polygons that are seen as one, to within rounding and more. */
@@ -200,7 +196,7 @@ static void see_polygon(struct rl_lines *lines, const struct rl_frame *frame, rl
     struct rl_seen_polygon *seen = &lines->polygon[lines->merged ? 0 : lines->n_polygons];
     if (!lines->merged || lines->n_polygons == 0)
         *seen = (struct rl_seen_polygon){.first = lines->n_edges, .radiance = it->radiance};
-    double distance = v3_dot(it->normal, v3_sub(set->vertex[it->first], P));
+    double distance = rl_side_distance(set, it, P);
     seen->nearness = v3_scale(1.0 / distance, rl_frame_components(frame, it->normal));
     see_loop(lines, seen, frame, P, polygon);
     seen->n = lines->n_edges - seen->first;
@@ -230,8 +226,10 @@ void rl_lines_make(struct rl_lines *lines, void *memory, const struct rl_surface
         .occlusion = options->occlusion,
     };
     lay_out(lines, memory);
-    for (size_t i = 0; i < set->n_polygons; i++)
-        lines->facing[i] = facing_of(set, &set->polygon[i], surface->P);
+    for (size_t i = 0; i < set->n_polygons; i++) {
+        double distance = rl_side_distance(set, &set->polygon[i], surface->P);
+        lines->facing[i] = (signed char)((distance > 0.0) - (distance < 0.0));
+    }
     for (size_t i = 0; i < set->n_polygons; i++)
         see_polygon(lines, &frame, surface->P, i);
 }

@@ -32,6 +32,7 @@ struct rl_edge {
     double next_x, next_y; /* and at its end */
     double from_x, from_y; /* m x p at its start: the tangent along the edge */
     double to_x, to_y;     /* and at its end */
+    double reach;          /* how far the start is from P */
     bool inner;            /* between two polygons that are seen as one */
 };
 
