@@ -12,5 +12,5 @@ Half half_vector(vec3 L, vec3 V)
     // 2^60: lengths to 1e-37, whose squares are none.
     vec3 wide = 1.152921504606846976e18 * (sum - 0.25 * dot(sum, apart) * apart);
     float size = length(wide);
-    return Half(wide / size, min(4.33680869e-19 * size, 1.0));
+    return Half(wide * (1.0 / size), min(4.33680869e-19 * size, 1.0));
 }

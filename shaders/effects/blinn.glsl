@@ -11,10 +11,7 @@ vec3 reflect_blinn(Surface s, vec3 L, vec4 params[2])
     if (!(n_l > 0.0) || !(n_v > 0.0))
         return vec3(0.0);
     Half h = half_vector(L, s.V);
-    float n_h = dot(s.N, h.H);
-    if (!(h.cosine > 0.0) || !(n_h > 0.0))
+    if (!(h.cosine > 0.0))
         return vec3(0.0);
-    vec3 across = cross(s.N, h.H);
-    float lobe = power_of_cosine(dot(across, across), n_h * n_h, params[0].w);
-    return lobe * reflectance(params[0].rgb, params[1].x, h.cosine);
+    return power_of_cosine(s.N, h.H, params[0].w) * reflectance(params[0].rgb, params[1].x, h.cosine);
 }

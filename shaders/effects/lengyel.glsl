@@ -13,6 +13,6 @@ vec3 reflect_lengyel(Surface s, vec3 L, vec4 params[2])
     // 1 - |N x h|^2, for |h|^2 = 1 - |L - V|^2/4.
     float rest = n_h * n_h + 0.25 * dot(apart, apart);
     float square = dot(across, across);
-    float lobe = square > 0.0 ? power_of_cosine(rest, square, params[0].w) : 0.0;
+    float lobe = power(square, rest, 0.5 * params[0].w);
     return params[0].rgb * fur_sine(s.N, L) + params[1].rgb * lobe;
 }

@@ -7,11 +7,6 @@
 vec3 reflect_phong(Surface s, vec3 L, vec4 params[2])
 {
     float n_l = dot(s.N, L);
-    vec3 R = reflect(-s.V, s.N);
-    vec3 across = cross(R, L);
-    float r_l = dot(R, L);
-    if (!(n_l > 0.0) || !(r_l > 0.0))
-        return vec3(0.0);
-    float lobe = power_of_cosine(dot(across, across), r_l * r_l, params[0].w);
+    float lobe = n_l > 0.0 ? power_of_cosine(reflect(-s.V, s.N), L, params[0].w) : 0.0;
     return lobe * reflectance(params[0].rgb, params[1].x, n_l);
 }
