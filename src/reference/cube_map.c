@@ -85,10 +85,11 @@ static size_t find_passes(const struct face *f, size_t n, double t)
         if ((from > 0.0) == (to > 0.0))
             continue;
         rl_vec3 low = to > 0.0 ? a : b, high = to > 0.0 ? b : a;
-        double below = fmin(from, to), at = below / (below - fmax(from, to));
-        struct pass p = {.s = low.x + at * (high.x - low.x),
-                         .w = low.z + at * (high.z - low.z),
-                         .sign = to > 0.0 ? 1 : -1};
+        double below = fmin(from, to), span = fmax(from, to) - below, at = -below / span;
+        /* w = z + at (difference of z), with the terms in t gone: they are all but equal where the edge's plane all but holds the face's
+         * axis. */
+        double w = (low.z * (high.y - low.y) - low.y * (high.z - low.z)) / span;
+        struct pass p = {.s = low.x + at * (high.x - low.x), .w = w, .sign = to > 0.0 ? 1 : -1};
         p.position = f->nearness.x * p.w - (f->nearness.y * t + f->nearness.z) * p.s;
         size_t place = found++;
         for (; place > 0 && f->pass[place - 1].position > p.position; place--)
