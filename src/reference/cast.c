@@ -6,14 +6,15 @@
 #include "model/frame.h"
 #include "reference/side.h"
 
+/* `level`: P is in the polygon's plane but for rounding; then corners are where they are, for along rays they would be anywhere. */
 static void place_outline(struct rl_cast_polygon *polygon, struct rl_point2 *out, const rl_vec3 *vertex,
-                          rl_vec3 P)
+                          rl_vec3 P, bool level)
 {
     polygon->vertex = out;
     for (size_t i = 0; i < polygon->n; i++) {
         rl_vec3 d = v3_sub(vertex[i], vertex[0]), from_P = v3_sub(vertex[i], P);
         /* Along the ray from P into the plane: the factor on from_P, less 1. */
-        double slide = -v3_dot(polygon->normal, d) / v3_dot(polygon->normal, from_P);
+        double slide = level ? 0.0 : -v3_dot(polygon->normal, d) / v3_dot(polygon->normal, from_P);
         d = v3_madd(d, slide, from_P);
         out[i] = (struct rl_point2){v3_dot(polygon->T, d), v3_dot(polygon->B, d)};
         polygon->low.x = i ? fmin(polygon->low.x, out[i].x) : out[i].x;
@@ -21,6 +22,21 @@ static void place_outline(struct rl_cast_polygon *polygon, struct rl_point2 *out
         polygon->high.x = i ? fmax(polygon->high.x, out[i].x) : out[i].x;
         polygon->high.y = i ? fmax(polygon->high.y, out[i].y) : out[i].y;
     }
+}
+
+static bool inside(const struct rl_cast_polygon *polygon, double x, double y)
+{
+    int winding = 0;
+    for (size_t i = 0, before = polygon->n - 1; i < polygon->n; before = i++) {
+        struct rl_point2 a = polygon->vertex[before], b = polygon->vertex[i];
+        bool above_a = a.y > y, above_b = b.y > y;
+        if (above_a == above_b)
+            continue;
+        double turn = (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y);
+        if (above_b ? turn > 0.0 : turn < 0.0)
+            winding += above_b ? 1 : -1;
+    }
+    return winding != 0;
 }
 
 int rl_cast_make(struct rl_cast *cast, rl_vec3 P, const struct rl_light_set *set, struct rl_error *error)
@@ -42,7 +58,11 @@ int rl_cast_make(struct rl_cast *cast, rl_vec3 P, const struct rl_light_set *set
         to->distance = rl_side_distance(set, from, P);
         if (to->distance == 0.0)
             continue;
-        place_outline(to, &cast->vertex[from->first], &set->vertex[from->first], P);
+        bool level = !(fabs(to->distance) > from->thickness + 1e-15 * v3_length(origin));
+        place_outline(to, &cast->vertex[from->first], &set->vertex[from->first], P, level);
+        /* From beside it is seen edge-on, and covers less than rounding does; from within it is half of all directions. */
+        if (level && !inside(to, -v3_dot(to->T, origin), -v3_dot(to->B, origin)))
+            to->distance = 0.0;
     }
     return RL_OK;
 }
@@ -52,21 +72,6 @@ void rl_cast_free(struct rl_cast *cast)
     free(cast->polygon);
     free(cast->vertex);
     *cast = (struct rl_cast){0};
-}
-
-static bool inside(const struct rl_cast_polygon *polygon, double x, double y)
-{
-    int winding = 0;
-    for (size_t i = 0, before = polygon->n - 1; i < polygon->n; before = i++) {
-        struct rl_point2 a = polygon->vertex[before], b = polygon->vertex[i];
-        bool above_a = a.y > y, above_b = b.y > y;
-        if (above_a == above_b)
-            continue;
-        double turn = (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y);
-        if (above_b ? turn > 0.0 : turn < 0.0)
-            winding += above_b ? 1 : -1;
-    }
-    return winding != 0;
 }
 
 size_t rl_cast_nearest(const struct rl_cast *cast, rl_vec3 L)

@@ -113,7 +113,7 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
     /* A little is left for rounding, which comes on top: mostly less than this many units of the brightest light. */
     static const double rounding = 1.5e-13;
     double tolerance = options->tolerance * set->brightest;
-    const struct rl_quadrature_options quadrature = {
+    struct rl_quadrature_options quadrature = {
         .tolerance = RL_PI * fmax(0.5 * tolerance, 0.99 * tolerance - rounding * set->brightest),
         .max_evaluations = options->max_evaluations,
         .wary = options->occlusion != NULL || !complete,
@@ -122,6 +122,13 @@ static void integrate_theta(struct rl_estimate *estimate, struct job *job,
     struct rl_quadrature_result result;
     rl_quadrature(&result, lines_at, job, job->panel, n, &quadrature);
     estimate->evaluations = result.evaluations;
+    /* Where it was more, what is left of the tolerance is known now. */
+    double left = 0.98 * RL_PI * tolerance - result.value[3];
+    if (result.converged && left < quadrature.tolerance && left > 0.25 * quadrature.tolerance) {
+        quadrature.tolerance = left;
+        rl_quadrature(&result, lines_at, job, job->panel, n, &quadrature);
+        estimate->evaluations += result.evaluations;
+    }
     estimate->converged = result.converged;
     for (int c = 0; c < 3; c++) {
         estimate->value[c] = result.value[c] / RL_PI;
