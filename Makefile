@@ -278,8 +278,8 @@ hard: all
 
 ## Write exact answers and bounds into the catalogue of hard cases (tests/hard/*.tsv), from MPFR
 hard-answers: $(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines
-	$(BUILD)/tests/hard/exact $(filter-out tests/hard/lights.tsv,$(wildcard tests/hard/*.tsv))
-	$(BUILD)/tests/hard/exact_lines tests/hard/lights.tsv
+	$(BUILD)/tests/hard/exact $(wildcard tests/hard/*.tsv)
+	$(BUILD)/tests/hard/exact_lines tests/hard/lights/lights.tsv
 
 # Before anything is built for it.
 all_faults := $(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch)))

@@ -1,4 +1,4 @@
-/* Writes the exact highlights into the catalogue of hard lights, tests/hard/lights.tsv (exact_lines.h has the mathematics).
+/* Writes the exact highlights into the catalogue of hard lights, tests/hard/lights/lights.tsv (exact_lines.h has the mathematics).
  *
  *     build/tests/hard/exact_lines FILE                 rows without an answer, or whose inputs have changed since
  *     build/tests/hard/exact_lines --all FILE           every row anew: many minutes
@@ -287,7 +287,7 @@ int main(int argc, char **argv)
     const char *mode = argc == 3 ? argv[1] : "";
     if (argc != 2 && strcmp(mode, "--all") != 0 && strcmp(mode, "--check") != 0 &&
         strcmp(mode, "--converge") != 0) {
-        fputs("usage: exact_lines [--all|--check|--converge] tests/hard/lights.tsv\n", stderr);
+        fputs("usage: exact_lines [--all|--check|--converge] tests/hard/lights/lights.tsv\n", stderr);
         return 2;
     }
     read_file(&file);

@@ -1,4 +1,4 @@
-/* Exact highlights of polygon lights, for the rows of tests/hard/lights.tsv, from MPFR. Nothing of src/ is included, nor its method:
+/* Exact highlights of polygon lights, for the rows of tests/hard/lights/lights.tsv, from MPFR. Nothing of src/ is included, nor its method:
  * src/ cuts the light into lines of fixed azimuth; here the light's boundary is walked along, by Green's theorem.
  *
  * With q = (V + L) projected on the tangent plane, psi its azimuth and delta the angle of the normal H = +-(V + L)/|V + L| from N, all of

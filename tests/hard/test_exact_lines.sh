@@ -5,7 +5,7 @@ set -u
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 exact=$BUILD/tests/hard/exact_lines
-good=tests/hard/lights.tsv
+good=tests/hard/lights/lights.tsv
 
 # says STATUS NAME FILE
 says() {

@@ -1,4 +1,4 @@
-/* The reference on the catalogue of hard lights (tests/hard/lights.tsv): on every instruction set that this machine has, asked for 1e-12,
+/* The reference on the catalogue of hard lights (tests/hard/lights/lights.tsv): on every instruction set that this machine has, asked for 1e-12,
  *
  *     |value - exact| <= its stated error + the greater of 8 units in the last place and twice `moved`,
  *
@@ -24,7 +24,7 @@
 #include "support/check.h"
 
 enum { COLUMNS = 11, LIGHTS = 2, CORNERS = 4 };
-static const char path[] = "tests/hard/lights.tsv";
+static const char path[] = "tests/hard/lights/lights.tsv";
 
 struct row {
     size_t line;
