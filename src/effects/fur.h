@@ -104,8 +104,8 @@ static inline void rl_goldman_pack(const double *value, double params[][4])
 /* f_dir of light from L, seen from V. */
 static inline double rl_goldman_direction(const struct rl_surface *s, rl_vec3 L, double params[][4])
 {
-    double kappa = rl_fur_kappa(s->N, L, s->V);
-    return 0.5 * ((1.0 + kappa) * params[1][3] + (1.0 - kappa) * params[2][0]);
+    struct rl_fur_sides sides = rl_fur_sides(s->N, L, s->V);
+    return sides.near * params[1][3] + sides.far * params[2][0];
 }
 
 #endif

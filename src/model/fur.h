@@ -43,17 +43,45 @@ static inline struct rl_fur_angle rl_fur_cone_printed(rl_vec3 n, rl_vec3 l, rl_v
 /* That of the cosine |n x h|, h = (l + e)/2: 1 - |n x h|^2 = (n.h)^2 + |l - e|^2/4, for |h|^2 = 1 - |l - e|^2/4. */
 static inline struct rl_fur_angle rl_fur_half(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    rl_vec3 h = v3_scale(0.5, v3_add(l, e)), apart = v3_sub(l, e);
+    rl_vec3 sum = v3_add(l, e), apart = v3_sub(e, l);
+    /* Without what lengths are off by 1, as model/half.h has it. */
+    rl_vec3 h = v3_scale(0.5, v3_madd(sum, -0.25 * v3_dot(sum, apart), apart));
     double c = v3_dot(n, h);
     return (struct rl_fur_angle){sqrt(c * c + 0.25 * v3_dot(apart, apart)), rl_fur_sine(n, h)};
 }
 
-static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+/* (1 + kappa)/2 and (1 - kappa)/2, the shares of the light's side and of the other. Where kappa is +-1 one of them is small: with
+ * a = (n x l)/max(|n x l|, RL_FUR_PARALLEL), and b of e likewise,
+ *
+ *     1 +- kappa = (|a +- b|^2 + (1 - |a|^2) + (1 - |b|^2))/2
+ *
+ * where the last two are 0 but for directions that are all but parallel. */
+struct rl_fur_sides {
+    double near, far;
+};
+
+static inline double rl_fur_rest(double sine)
+{
+    double part = fmin(sine / RL_FUR_PARALLEL, 1.0);
+    return (1.0 - part) * (1.0 + part);
+}
+
+static inline struct rl_fur_sides rl_fur_sides(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
     rl_vec3 a = v3_cross(n, l), b = v3_cross(n, e);
-    double kappa = v3_dot(a, b) / (fmax(v3_length(a), RL_FUR_PARALLEL) * fmax(v3_length(b), RL_FUR_PARALLEL));
+    double s_a = v3_length(a), s_b = v3_length(b);
+    a = v3_scale(1.0 / fmax(s_a, RL_FUR_PARALLEL), a);
+    b = v3_scale(1.0 / fmax(s_b, RL_FUR_PARALLEL), b);
+    rl_vec3 sum = v3_add(a, b), apart = v3_sub(a, b);
+    double rest = rl_fur_rest(s_a) + rl_fur_rest(s_b);
+    return (struct rl_fur_sides){0.25 * (v3_dot(sum, sum) + rest), 0.25 * (v3_dot(apart, apart) + rest)};
+}
+
+static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+{
+    struct rl_fur_sides sides = rl_fur_sides(n, l, e);
     /* A cosine rounded beyond 1 would take light away where all is reflected or all transmitted. */
-    return fmin(fmax(kappa, -1.0), 1.0);
+    return fmin(fmax(sides.near - sides.far, -1.0), 1.0);
 }
 
 #endif
