@@ -17,8 +17,7 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
         return;
     struct rl_half h = rl_half_make(L, s->V);
     double lobe = rl_power_of_cosine(v3_length(v3_cross(s->N, h.H)), v3_dot(s->N, h.H), params[0][3]);
-    /* 1 - cos(beta) = sin^2/(1 + cos) */
-    rl_lobe_sum(rgb, params, lobe, h.sin_sin / (1.0 + h.cosine));
+    rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(h.cosine, h.sin_sin));
 }
 
 static const struct rl_effect_param param[] = {RL_LOBE_KEYS("n of cos^n(delta)"), {0}};

@@ -10,8 +10,7 @@
 
 static void factor(const struct rl_surface *s, double params[][4], double rgb[3])
 {
-    rl_vec3 across = v3_cross(s->N, s->V);
-    double n_v = fmin(v3_dot(s->N, s->V), 1.0), sin_sin = v3_dot(across, across);
+    double n_v = fmin(v3_dot(s->N, s->V), 1.0), sin_sin = v3_sin_sin(s->N, s->V, n_v);
     /* From behind as at 90 degrees. */
     if (n_v < 0.0)
         n_v = 0.0, sin_sin = 1.0;

@@ -16,10 +16,9 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     double n_l = v3_dot(s->N, L);
     if (!(n_l > 0.0))
         return;
-    rl_vec3 R = v3_reflect(s->V, s->N), off = v3_sub(s->N, L);
+    rl_vec3 R = v3_reflect(s->V, s->N);
     double lobe = rl_power_of_cosine(v3_length(v3_cross(R, L)), v3_dot(R, L), params[0][3]);
-    /* 1 - N.L = |N - L|^2/2 */
-    rl_lobe_sum(rgb, params, lobe, 0.5 * v3_dot(off, off));
+    rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(n_l, v3_sin_sin(s->N, L, n_l)));
 }
 
 static const struct rl_effect_param param[] = {RL_LOBE_KEYS("n of cos^n(gamma)"), {0}};

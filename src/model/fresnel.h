@@ -6,7 +6,7 @@
  *     R_p = R_s ((a c - s^2)^2 + b^2 c^2) / ((a c + s^2)^2 + b^2 c^2)
  *     F = (R_s + R_p)/2
  *
- * Near n = 1 all of that is small, and a - c is all rounding: it is (a^2 - c^2)/(a + c), a^2 - c^2 = (n^2 - 1) - k^2 + b^2. c, s and n^2 - 1 are
+ * Near n = 1 a - c is all rounding: there it is (a^2 - c^2)/(a + c), a^2 - c^2 = (n^2 - 1) - k^2 + b^2. c, s and n^2 - 1 are
  * given by whoever knows each without a difference of rounded numbers: s is the length of a cross product near normal incidence.
  *
  * At c = 1 it is ((n - 1)^2 + k^2)/((n + 1)^2 + k^2), at c = 0 it is 1. k = 0 is a dielectric; n < 1 with total reflection beyond

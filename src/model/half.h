@@ -11,7 +11,7 @@
 
 struct rl_half {
     rl_vec3 H;
-    double cosine, sin_sin; /* of beta: |L + V|/2, |V - L|^2/4 */
+    double cosine, sin_sin; /* of beta */
 };
 
 /* Of unit vectors. Where they are opposite there is no H, and the cosine is 0. */
@@ -24,8 +24,11 @@ static inline struct rl_half rl_half_make(rl_vec3 L, rl_vec3 V)
     double length = v3_length(sum);
     if (!(length > 0.0))
         return (struct rl_half){.sin_sin = 1.0};
-    return (struct rl_half){v3_scale(1.0 / length, sum), fmin(0.5 / wide * length, 1.0),
-                            0.25 * v3_dot(apart, apart)};
+    double cosine = fmin(0.5 / wide * length, 1.0), c_c = cosine * cosine;
+    /* Where L and V are nearly one, |L x V| = 2 sin(beta) cos(beta); elsewhere the cosine knows it. */
+    double sin_sin =
+        cosine > 0.7 ? 0.25 * v3_dot(v3_cross(L, V), v3_cross(L, V)) / c_c : (1.0 - cosine) * (1.0 + cosine);
+    return (struct rl_half){v3_scale(1.0 / length, sum), cosine, sin_sin};
 }
 
 #endif

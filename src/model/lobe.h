@@ -23,4 +23,10 @@ static inline double rl_power_of_cosine(double sine, double cosine, double n)
     return tangent < 1e8 ? pow(1.0 + square, -0.5 * n) : pow(cosine / fabs(sine), n);
 }
 
+/* 1 - cos, which is sin^2/(1 + cos) near 0. */
+static inline double rl_one_less_cosine(double cosine, double sin_sin)
+{
+    return cosine > 0.7 ? sin_sin / (1.0 + cosine) : 1.0 - cosine;
+}
+
 #endif

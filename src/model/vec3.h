@@ -54,12 +54,23 @@ static inline double v3_length(rl_vec3 a)
 /* The zero vector stays zero. */
 static inline rl_vec3 v3_normalize(rl_vec3 a)
 {
-    /* Scaling by the largest component first keeps the square of a huge or denormal vector in range. */
     double m = fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
     if (!(m > 0.0))
         return v3(0.0, 0.0, 0.0);
-    rl_vec3 b = v3(a.x / m, a.y / m, a.z / m);
-    return v3_scale(1.0 / v3_length(b), b);
+    /* Scaling by the largest component first keeps the square of a huge or denormal vector in range. Elsewhere each component is rounded
+     * once: the length's own error is common to all, and no error of the direction. */
+    if (!(m > 1e-140 && m < 1e140))
+        a = v3(a.x / m, a.y / m, a.z / m);
+    double length = v3_length(a);
+    return v3(a.x / length, a.y / length, a.z / length);
+}
+
+/* The sine squared of the angle between unit vectors of this cosine: by the cross product where the cosine does not know it, else by the cosine,
+ * which has no part of what lengths are off by 1. */
+static inline double v3_sin_sin(rl_vec3 a, rl_vec3 b, double cosine)
+{
+    rl_vec3 across = v3_cross(a, b);
+    return cosine > 0.7 ? v3_dot(across, across) : (1.0 - cosine) * (1.0 + cosine);
 }
 
 /* Mirror of V about the unit normal N: 2 (N.V) N - V, pointing away from the surface as V does. */
