@@ -57,10 +57,12 @@ static inline rl_vec3 v3_normalize(rl_vec3 a)
     double m = fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
     if (!(m > 0.0))
         return v3(0.0, 0.0, 0.0);
-    /* Scaling by the largest component first keeps the square of a huge or denormal vector in range. Elsewhere each component is rounded
-     * once: the length's own error is common to all, and no error of the direction. */
-    if (!(m > 1e-140 && m < 1e140))
-        a = v3(a.x / m, a.y / m, a.z / m);
+    /* A power of two brings the square of a huge or denormal vector into range, and rounds nothing. Each component is rounded once: the
+     * length's own error is common to all, and no error of the direction. */
+    if (!(m > 1e-140 && m < 1e140)) {
+        int e = ilogb(m);
+        a = v3(ldexp(a.x, -e), ldexp(a.y, -e), ldexp(a.z, -e));
+    }
     double length = v3_length(a);
     return v3(a.x / length, a.y / length, a.z / length);
 }
