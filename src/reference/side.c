@@ -83,30 +83,37 @@ static double largest(rl_vec3 a)
     return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
 }
 
+/* The largest of the points' coordinates on each axis. */
+static rl_vec3 coordinates(const rl_vec3 *v, size_t n, rl_vec3 P)
+{
+    rl_vec3 most = v3(fabs(P.x), fabs(P.y), fabs(P.z));
+    for (size_t i = 0; i < n; i++)
+        most = v3(fmax(most.x, fabs(v[i].x)), fmax(most.y, fabs(v[i].y)), fmax(most.z, fabs(v[i].z)));
+    return most;
+}
+
 static double distance_in_pairs(const rl_vec3 *v, size_t n, rl_vec3 P)
 {
-    /* What is left of each bit of a term after some hundred operations, and more. */
-    static const double rounding = 0x1p-94;
-    double size = largest(v3_sub(v[0], P));
-    for (size_t i = 0; i < n; i++)
-        size = fmax(size, fmax(largest(v[i]), largest(P)));
-    double scale = scale_of(size), off = 0.0, reach = 0.0;
+    /* Closer than this many units in the last place of the coordinates themselves is in the plane. */
+    static const double units = 8.0 * DBL_EPSILON;
+    rl_vec3 size = coordinates(v, n, P);
+    double scale = scale_of(largest(size)), off = 0.0;
     struct pair_vec3 normal = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     for (size_t i = 1; i + 1 < n; i++) {
         struct pair_vec3 a = difference(v[i], v[0], scale), b = difference(v[i + 1], v[0], scale),
                          c = cross(&a, &b);
         normal = (struct pair_vec3){add(normal.x, c.x), add(normal.y, c.y), add(normal.z, c.z)};
     }
-    for (size_t i = 1; i < n; i++) {
+    for (size_t i = 1; n > 3 && i < n; i++) {
         struct pair_vec3 a = difference(v[i], v[0], scale);
-        reach = fmax(reach, length(&a));
-        off = n > 3 ? fmax(off, fabs(dot(&normal, &a))) : 0.0;
+        off = fmax(off, fabs(dot(&normal, &a)));
     }
     struct pair_vec3 first = difference(v[0], P, scale);
-    double volume = dot(&normal, &first), area = length(&normal);
-    if (!(fabs(volume) > 2.0 * off + rounding * area * (reach + length(&first))))
-        return 0.0;
-    return volume / area / scale;
+    double volume = dot(&normal, &first);
+    double rounding =
+        units * scale *
+        (fabs(normal.x.high) * size.x + fabs(normal.y.high) * size.y + fabs(normal.z.high) * size.z);
+    return fabs(volume) > 2.0 * off + rounding ? volume / length(&normal) / scale : 0.0;
 }
 
 double rl_side_distance(const struct rl_light_set *set, const struct rl_set_polygon *polygon, rl_vec3 P)

@@ -10,7 +10,8 @@
 #include "reference/light_set.h"
 
 /* normal.(vertex - P), in the scene's units: > 0 where the normal points away from P. 0: seen edge-on, it covers nothing; so it is where P
- * lies no further off than the polygon's own corners do of one plane. */
+ * lies no further off than the polygon's own corners do of one plane, or than the rounding of the coordinates may put it. That is counted
+ * axis by axis: of a plane z = 1e-12 the distance is known however large x and y are. */
 double rl_side_distance(const struct rl_light_set *set, const struct rl_set_polygon *polygon, rl_vec3 P);
 
 #endif
