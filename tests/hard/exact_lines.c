@@ -272,8 +272,9 @@ static int compare_answers(const struct file *file, const struct exact_effort *e
         double off = fresh && i % every == 0 ? difference(row, effort) : 0.0;
         worst = fmax(worst, off);
         if (!fresh || !(off <= allowed)) {
-            fprintf(stderr, "%s:%zu: the answer is %s; `make hard-answers` writes it\n", file->path, i + 1,
-                    fresh ? "another" : "not of these inputs");
+            fprintf(stderr,
+                    "%s:%zu: the answer is %s (relative difference %.3g); `make hard-answers` writes it\n",
+                    file->path, i + 1, fresh ? "another" : "not of these inputs", off);
             status = 1;
         }
     }
@@ -295,7 +296,7 @@ int main(int argc, char **argv)
     if (strcmp(mode, "--check") == 0)
         status = compare_answers(&file, &sampling, SAMPLE, 1e-20);
     else if (strcmp(mode, "--converge") == 0)
-        status = compare_answers(&file, &more, 1, 2e-25);
+        status = compare_answers(&file, &more, 1, 6e-25);
     else
         status = make_answers(&file, strcmp(mode, "--all") == 0);
     for (size_t i = 0; i < file.n; i++)

@@ -40,10 +40,16 @@ struct row {
 static size_t take_vectors(rl_vec3 out[], size_t most, const char *text)
 {
     size_t n = 0;
-    for (int used; sscanf(text, " %lf,%lf,%lf%n", &out[n].x, &out[n].y, &out[n].z, &used) == 3; text += used)
-        if (++n == most)
+    while (*text != '\0' && n < 3 * most) {
+        char *end;
+        double x = strtod(text, &end);
+        if (end == text)
             break;
-    return n;
+        *(n % 3 == 0 ? &out[n / 3].x : n % 3 == 1 ? &out[n / 3].y : &out[n / 3].z) = x;
+        n++;
+        text = end + strspn(end, ", ");
+    }
+    return n / 3;
 }
 
 static void take_row(struct row *row, char *field[COLUMNS])
