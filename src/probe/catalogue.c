@@ -172,19 +172,25 @@ static int read_lines(struct reader *r, const char *path, struct rl_error *error
     return status;
 }
 
+int rl_catalogue_find_probe(struct rl_probe *probe, const char *path, struct rl_error *error)
+{
+    const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(base, "."), base);
+    int status = rl_probe_find(probe, name, error);
+    if (status != RL_OK)
+        rl_fail_prefix(error, "%s", path);
+    return status;
+}
+
 int rl_catalogue_load(struct rl_catalogue *c, const char *path, struct rl_error *error)
 {
     *c = (struct rl_catalogue){0};
     struct reader r = {.c = c};
-    const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
-    char name[64];
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(base, "."), base);
     size_t size;
-    int status = rl_probe_find(&c->probe, name, error);
+    int status = rl_catalogue_find_probe(&c->probe, path, error);
     if (status == RL_OK)
         status = rl_file_read(&c->text, &size, path, error);
-    else
-        rl_fail_prefix(error, "%s", path);
     if (status == RL_OK)
         status = read_lines(&r, path, error);
     if (status != RL_OK)
@@ -271,6 +277,17 @@ static double ulp_of(double x, int digits, int least_exponent)
     return ldexp(1.0, exponent > least_exponent ? exponent : least_exponent);
 }
 
+static double ulp_for(enum rl_catalogue_backend backend, double size)
+{
+    return backend == RL_CATALOGUE_CPU ? ulp_of(size, DBL_MANT_DIG, DBL_MIN_EXP - DBL_MANT_DIG)
+                                       : ulp_of(fmax(size, 0.1), FLT_MANT_DIG, FLT_MIN_EXP - FLT_MANT_DIG);
+}
+
+double rl_catalogue_plain_bound(enum rl_catalogue_backend backend, double size)
+{
+    return backend == RL_CATALOGUE_CPU ? 8.0 * ulp_for(backend, size) : fmax(1e-5 * size, 1e-6);
+}
+
 struct rl_catalogue_error rl_catalogue_error_of(const struct rl_catalogue *c,
                                                 enum rl_catalogue_backend backend, size_t row, size_t out,
                                                 double got)
@@ -278,12 +295,9 @@ struct rl_catalogue_error rl_catalogue_error_of(const struct rl_catalogue *c,
     const struct rl_catalogue_answer *answer = &c->answers[row * c->probe.n_out + out][backend];
     struct rl_catalogue_error e = {.error = INFINITY, .ulp = INFINITY, .share = INFINITY};
     double size = (double)fabsl(answer->exact);
-    double ulp = backend == RL_CATALOGUE_CPU
-                     ? ulp_of(size, DBL_MANT_DIG, DBL_MIN_EXP - DBL_MANT_DIG)
-                     : ulp_of(fmax(size, 0.1), FLT_MANT_DIG, FLT_MIN_EXP - FLT_MANT_DIG);
-    double plain = backend == RL_CATALOGUE_CPU ? 8.0 * ulp : fmax(1e-5 * size, 1e-6);
+    double ulp = ulp_for(backend, size);
     /* Bounds are printed with three digits. */
-    e.conditioned = answer->bound > 1.01 * plain;
+    e.conditioned = answer->bound > 1.01 * rl_catalogue_plain_bound(backend, size);
     if (!isfinite(got))
         return e;
     e.error = (double)fabsl((long double)got - answer->exact);

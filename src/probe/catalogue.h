@@ -54,6 +54,9 @@ struct rl_catalogue_verdict {
 int rl_catalogue_load(struct rl_catalogue *c, const char *path, struct rl_error *error);
 void rl_catalogue_free(struct rl_catalogue *c);
 
+/* The probe that a file is of by its name. */
+int rl_catalogue_find_probe(struct rl_probe *probe, const char *path, struct rl_error *error);
+
 /* The folder of the catalogue that comes with the program. RL_ERR_UNAVAILABLE: where it was looked for. */
 int rl_catalogue_folder(char path[], size_t size, struct rl_error *error);
 /* The files of a folder, sorted by name; free each and the array. RL_ERR_INPUT: there is none. */
@@ -63,6 +66,9 @@ void rl_catalogue_list_free(char **paths, size_t n);
 /* `gpu` NULL: in C. Errors as rl_probe_gpu. */
 int rl_catalogue_evaluate(const struct rl_catalogue *c, struct rl_gpu *gpu, double *results,
                           struct rl_error *error);
+
+/* The bound of an answer of that size (|exact|) which its arguments' rounding does not widen. */
+double rl_catalogue_plain_bound(enum rl_catalogue_backend backend, double size);
 
 struct rl_catalogue_error rl_catalogue_error_of(const struct rl_catalogue *c,
                                                 enum rl_catalogue_backend backend, size_t row, size_t out,
