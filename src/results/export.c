@@ -127,6 +127,9 @@ static void export_column(struct rl_export *t, const struct rl_column *c, const 
         rl_parameter(r->parameters, c->key, text, sizeof text);
         rl_export_text(t, text);
         break;
+    case RL_COLUMN_REMARK:
+        rl_export_text(t, r->message);
+        break;
     default:
         rl_export_number(t, column_number(c, r));
     }
@@ -140,6 +143,8 @@ void rl_column_text(char text[], size_t size, const struct rl_column *c, const s
         snprintf(text, size, "%s", r->scene_hash);
     else if (c->source == RL_COLUMN_TEXT)
         rl_parameter(r->parameters, c->key, text, size);
+    else if (c->source == RL_COLUMN_REMARK)
+        snprintf(text, size, "%s", r->message);
     else
         snprintf(text, size, "%.4g", column_number(c, r));
 }

@@ -37,6 +37,7 @@ enum rl_column_source {
     RL_COLUMN_SCENE_HASH,
     RL_COLUMN_TEXT,   /* the parameter `key` as it is written */
     RL_COLUMN_NUMBER, /* the parameter `key` as a number */
+    RL_COLUMN_REMARK, /* the record's remark (record.h) */
     RL_COLUMN_VALUE,  /* the metric `key` */
     RL_COLUMN_LOW,    /* the lower end of its interval */
     RL_COLUMN_HIGH
@@ -54,7 +55,7 @@ struct rl_column {
     {name, RL_COLUMN_VALUE, name}, {name "_low", RL_COLUMN_LOW, name}, {name "_high", RL_COLUMN_HIGH, name}
 /* clang-format on */
 
-enum { RL_TABLE_COLUMNS_MAX = 64 };
+enum { RL_TABLE_COLUMNS_MAX = 64, RL_COLUMN_TEXT_MAX = 512 };
 
 /* The last column of every table of records: the case's identity (results/record.h), by which claims name their cases. */
 extern const char rl_identity_column[];
@@ -75,7 +76,7 @@ void rl_export_run(struct rl_buffer *out, const struct rl_table *table, const st
 void rl_export_samples(struct rl_buffer *out, const struct rl_run *runs, size_t n_runs,
                        enum rl_export_format format);
 
-/* A column's value in a record, as a text ready to be printed. */
+/* A column's value in a record, as a text ready to be printed; RL_COLUMN_TEXT_MAX bytes hold any. */
 void rl_column_text(char text[], size_t size, const struct rl_column *column, const struct rl_record *record);
 
 /* ".tsv", ".json" or ".csv" */

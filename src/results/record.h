@@ -48,7 +48,7 @@ struct rl_record {
     char identity[RL_HASH_TEXT]; /* see rl_run_identify */
     int group;
     enum rl_record_status status;
-    char message[512];   /* why it failed */
+    char message[512];   /* why it failed; of a measured case a remark that its study made, or "" */
     double seconds;      /* that its group took */
     unsigned char *mark; /* where to note that a figure was read, or NULL (see results/trace.h) */
     size_t n_metrics, n_series;

@@ -56,7 +56,7 @@ void rl_report_table(struct rl_buffer *page, const struct rl_table *tables, size
     for (const struct rl_record *r = NULL; (r = rl_run_next(run, r, NULL, table->pattern));) {
         begin_case(page, r, !shown_before(tables, t, r));
         for (size_t i = 0; i < table->n_columns; i++) {
-            char text[RL_NAME_MAX];
+            char text[RL_COLUMN_TEXT_MAX];
             rl_column_text(text, sizeof text, &table->column[i], r);
             rl_html_element(page, "td", text);
         }
