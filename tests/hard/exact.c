@@ -2,6 +2,7 @@
  *
  *     build/tests/hard/exact tests/hard/frame.tsv ...           each file anew, in place
  *     build/tests/hard/exact --check tests/hard/frame.tsv ...   exit 1 where that would change one
+ *     build/tests/hard/exact [--check] --maps tests/hard/maps   the same of all maps (exact_map.c)
  *
  * A file: lines of comment (#), a header, rows. An author writes the arguments and why the row is hard, the last column; what stands
  * between them is made here, four columns for each result:
@@ -107,38 +108,59 @@ static double bound(double whole, mpfr_t y, mpfr_t moves, int bits)
     return fmax(least, moved);
 }
 
-static void print_answers(FILE *to, const struct exact_function *f, const double *row)
+void exact_answer_init(struct exact_answer *a, const struct exact_function *f)
+{
+    for (size_t i = 0; i < f->n_in; i++)
+        mpfr_init(a->in[i]);
+    for (size_t k = 0; k < f->n_out; k++)
+        for (int p = 0; p < 2; p++)
+            mpfr_inits(a->out[p][k], a->moves[p][k], (mpfr_ptr)0);
+}
+
+void exact_answer_clear(struct exact_answer *a, const struct exact_function *f)
+{
+    for (size_t i = 0; i < f->n_in; i++)
+        mpfr_clear(a->in[i]);
+    for (size_t k = 0; k < f->n_out; k++)
+        for (int p = 0; p < 2; p++)
+            mpfr_clears(a->out[p][k], a->moves[p][k], (mpfr_ptr)0);
+}
+
+bool exact_answer_make(struct exact_answer *a, const struct exact_function *f, const double *row)
 {
     static const int bits[] = {BITS_DOUBLE, BITS_SINGLE};
-    mpfr_t in[EXACT_IN_MAX], out[2][EXACT_OUT_MAX], moves[2][EXACT_OUT_MAX];
-    for (size_t i = 0; i < f->n_in; i++)
-        mpfr_init(in[i]);
-    for (size_t k = 0; k < 2 * f->n_out; k++)
-        mpfr_inits(out[k % 2][k / 2], moves[k % 2][k / 2], (mpfr_ptr)0);
     for (int p = 0; p < 2; p++) {
         for (size_t i = 0; i < f->n_in; i++)
-            set_argument(in[i], f, i, row[i], bits[p]);
-        f->evaluate(out[p], in);
-        add_moves(f, in, out[p], moves[p], bits[p]);
+            set_argument(a->in[i], f, i, row[i], bits[p]);
+        f->evaluate(a->out[p], a->in);
+        add_moves(f, a->in, a->out[p], a->moves[p], bits[p]);
     }
     for (size_t i = 0; i < f->n_in; i++)
-        set_argument(in[i], f, i, row[i], BITS_DOUBLE);
-    double whole = f->whole ? f->whole(in) : 0.0;
+        set_argument(a->in[i], f, i, row[i], BITS_DOUBLE);
+    double whole = f->whole ? f->whole(a->in) : 0.0;
     for (size_t k = 0; k < f->n_out; k++) {
         for (int p = 0; p < 2; p++) {
-            if (!mpfr_number_p(out[p][k]))
-                stop("an answer that is not finite", "arguments within the function's range");
+            if (!mpfr_number_p(a->out[p][k]))
+                return false;
             /* Without the sign of zero, which no bound asks for. */
-            if (mpfr_zero_p(out[p][k]))
-                mpfr_set_zero(out[p][k], 1);
-            mpfr_fprintf(to, "%.*Re\t%.3g\t", DIGITS - 1, out[p][k],
-                         bound(whole, out[p][k], moves[p][k], bits[p]));
+            if (mpfr_zero_p(a->out[p][k]))
+                mpfr_set_zero(a->out[p][k], 1);
+            a->bound[p][k] = bound(whole, a->out[p][k], a->moves[p][k], bits[p]);
         }
     }
-    for (size_t i = 0; i < f->n_in; i++)
-        mpfr_clear(in[i]);
-    for (size_t k = 0; k < 2 * f->n_out; k++)
-        mpfr_clears(out[k % 2][k / 2], moves[k % 2][k / 2], (mpfr_ptr)0);
+    return true;
+}
+
+static void print_answers(FILE *to, const struct exact_function *f, const double *row)
+{
+    struct exact_answer a;
+    exact_answer_init(&a, f);
+    if (!exact_answer_make(&a, f, row))
+        stop("an answer that is not finite", "arguments within the function's range");
+    for (size_t k = 0; k < f->n_out; k++)
+        for (int p = 0; p < 2; p++)
+            mpfr_fprintf(to, "%.*Re\t%.3g\t", DIGITS - 1, a.out[p][k], a.bound[p][k]);
+    exact_answer_clear(&a, f);
 }
 
 /* ---- Files ---- */
@@ -236,34 +258,73 @@ static bool same_as(FILE *from, const char *made, size_t size)
     return c == EOF && i == size;
 }
 
+/* Writes what was made, or (check) only says where that would change the file. Exit status. */
+static int put(char *made, size_t size, bool check)
+{
+    FILE *from = fopen(path, "r");
+    bool same = from && same_as(from, made, size);
+    if (from)
+        fclose(from);
+    if (check && !same) {
+        fprintf(stderr, "%s: its answers are not what `make hard-answers` writes\n", path);
+    } else if (!same) {
+        FILE *to = fopen(path, "w");
+        if (!to || fwrite(made, 1, size, to) != size || fclose(to) != 0)
+            stop(strerror(errno), "a file that can be written");
+        same = true;
+    }
+    free(made);
+    return same ? 0 : 1;
+}
+
+static int put_file(bool check)
+{
+    FILE *from = fopen(path, "r");
+    if (!from)
+        stop(strerror(errno), "a file");
+    size_t size;
+    char *made = rewrite(from, &size);
+    fclose(from);
+    return put(made, size, check);
+}
+
+static int put_maps(const char *folder, bool check)
+{
+    int status = 0;
+    for (size_t i = 0; exact_map_name(i); i++) {
+        char name[4096], *made = NULL;
+        size_t size;
+        snprintf(name, sizeof name, "%s/%s.tsv", folder, exact_map_name(i));
+        path = name;
+        line_number = 0;
+        FILE *to = open_memstream(&made, &size);
+        if (!to)
+            stop("no memory", "some");
+        exact_map_write(to, i);
+        if (fclose(to) != 0)
+            stop("no memory", "some");
+        status = put(made, size, check) == 0 ? status : 1;
+    }
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     bool check = argc > 1 && strcmp(argv[1], "--check") == 0;
-    int status = 0;
-    if (argc < 2 + check) {
-        fputs("usage: exact [--check] tests/hard/NAME.tsv...\n", stderr);
+    bool maps = argc > 1 + check && strcmp(argv[1 + check], "--maps") == 0;
+    int status = 0, first = 1 + check + maps;
+    if (argc <= first) {
+        fputs("usage: exact [--check] tests/hard/NAME.tsv...\n"
+              "       exact [--check] --maps tests/hard/maps\n",
+              stderr);
         return 2;
     }
     mpfr_set_default_prec(EXACT_BITS);
-    for (int i = 1 + check; i < argc; i++) {
+    for (int i = first; i < argc; i++) {
         path = argv[i];
         line_number = 0;
-        FILE *from = fopen(path, "r");
-        if (!from)
-            stop(strerror(errno), "a file");
-        size_t size;
-        char *made = rewrite(from, &size);
-        bool same = same_as(from, made, size);
-        fclose(from);
-        if (check && !same) {
-            fprintf(stderr, "%s: its answers are not what `make hard-answers` writes\n", path);
-            status = 1;
-        } else if (!same) {
-            FILE *to = fopen(path, "w");
-            if (!to || fwrite(made, 1, size, to) != size || fclose(to) != 0)
-                stop(strerror(errno), "a file that can be written");
-        }
-        free(made);
+        int failed = maps ? put_maps(argv[i], check) : put_file(check);
+        status = failed ? failed : status;
     }
     mpfr_free_cache();
     return status;

@@ -32,6 +32,21 @@ struct exact_function {
 extern const struct exact_function exact_functions[];
 extern const size_t exact_n_functions;
 
+/* Of one row. [0]: of double precision, [1]: of single. */
+struct exact_answer {
+    mpfr_t in[EXACT_IN_MAX], out[2][EXACT_OUT_MAX], moves[2][EXACT_OUT_MAX];
+    double bound[2][EXACT_OUT_MAX];
+};
+
+/* exact.c. False: an answer is not finite. */
+void exact_answer_init(struct exact_answer *a, const struct exact_function *f);
+bool exact_answer_make(struct exact_answer *a, const struct exact_function *f, const double *row);
+void exact_answer_clear(struct exact_answer *a, const struct exact_function *f);
+
+/* exact_map.c: the i-th map's name, NULL past the last; its file. */
+const char *exact_map_name(size_t i);
+void exact_map_write(FILE *to, size_t i);
+
 /* exact_ellipsoid.c */
 void exact_ellipsoid_pdf(mpfr_t out[], mpfr_t in[]);
 void exact_ellipsoid_cdf(mpfr_t out[], mpfr_t in[]);
