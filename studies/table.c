@@ -20,6 +20,7 @@ extern const struct rl_study rl_study_interpolation;
 extern const struct rl_study rl_study_fur;
 extern const struct rl_study rl_study_accuracy;
 extern const struct rl_study rl_study_visibility;
+extern const struct rl_study rl_study_hard;
 
 /* One row each. */
 /* clang-format off */
@@ -39,6 +40,7 @@ const struct rl_study *const rl_studies[] = {
     &rl_study_fur,
     &rl_study_accuracy,
     &rl_study_visibility,
+    &rl_study_hard,
 };
 /* clang-format on */
 
