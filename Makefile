@@ -276,9 +276,10 @@ bench: all
 hard: all
 	@$(BUILD)/roughlight hard
 
-## Write exact answers and bounds into the catalogue of hard cases (tests/hard/*.tsv), from MPFR
+## Write exact answers and bounds into the catalogue of hard cases and its maps (tests/hard), from MPFR
 hard-answers: $(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines
 	$(BUILD)/tests/hard/exact $(wildcard tests/hard/*.tsv)
+	$(BUILD)/tests/hard/exact --maps tests/hard/maps
 	$(BUILD)/tests/hard/exact_lines tests/hard/lights/lights.tsv
 
 # Before anything is built for it.
@@ -375,6 +376,7 @@ install: all
 	$(call install_tree,studies/data,data)
 	$(call install_tree,plots,plots)
 	install -D -m 644 -t $(sharedir)/tests/hard $(wildcard tests/hard/*.tsv)
+	install -D -m 644 -t $(sharedir)/tests/hard/maps $(wildcard tests/hard/maps/*.tsv)
 	install -D -m 644 -t $(docdir) $(wildcard README.md) LICENSE
 
 ## Remove what install put there
@@ -387,8 +389,10 @@ check-install: all
 	@scratch=$$(mktemp -d) && trap 'rm -rf "$$scratch"' EXIT && \
 	$(MAKE) --no-print-directory install DESTDIR=$$scratch PREFIX=/usr >/dev/null && \
 	(cd / && $$scratch/usr/bin/roughlight render $$scratch/usr/share/roughlight/scenes/sphere-quad.yaml \
-		--size 64x64 -o $$scratch/image.exr) && \
-	rm $$scratch/image.exr && \
+		--size 64x64 -o $$scratch/image.exr && \
+		$$scratch/usr/bin/roughlight study run hard --db $$scratch/db/results.db 2>/dev/null && \
+		$$scratch/usr/bin/roughlight hard --backend cpu >/dev/null) && \
+	rm -r $$scratch/image.exr $$scratch/db && \
 	$(MAKE) --no-print-directory uninstall DESTDIR=$$scratch PREFIX=/usr >/dev/null && \
 	left=$$(find $$scratch -type f) && { [ -z "$$left" ] || { echo "left behind: $$left" >&2; exit 1; }; }
 

@@ -23,6 +23,17 @@ for file in tests/hard/*.tsv; do
     check "$file is current" "$exact" --check "$file"
 done
 
+check "the maps are current" "$exact" --check --maps tests/hard/maps
+
+# An answer of a map is another.
+doctored_map() {
+    mkdir -p "$tmp/maps" && cp tests/hard/maps/*.tsv "$tmp/maps" &&
+        sed -i '$ s/[0-8]\t/9\t/' "$tmp/maps/ellipsoid-pdf.tsv" &&
+        ! cmp -s tests/hard/maps/ellipsoid-pdf.tsv "$tmp/maps/ellipsoid-pdf.tsv" &&
+        ! "$exact" --check --maps "$tmp/maps" && "$exact" --maps "$tmp/maps" && diff -r tests/hard/maps "$tmp/maps"
+}
+check "another digit of a map is seen, and mended" doctored_map
+
 # One digit of the first answer is another.
 doctored() {
     awk -F '\t' -v OFS='\t' '/^[^#]/ && seen++ == 1 { sub(/[0-8]e/, "9e", $3) } { print }' \
