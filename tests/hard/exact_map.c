@@ -145,11 +145,14 @@ static double degrees_of(int axis, size_t i)
     return round(1e7 * angle * 180.0 / 3.14159265358979323846) / 1e7;
 }
 
+/* Glass of index 1.5, roughness 1/4, Beckmann's distribution; V and L on the unit circle about N, at their heights above it. */
 static void row_of_facets(double row[], const size_t at[AXES])
 {
-    static const double fixed[] = {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, -0.6, 0.8, 0.0};
+    static const double fixed[] = {[2] = 1.0,  [3] = 1.0,  [6] = -0.6,  [7] = 0.8, [12] = 1.5,
+                                   [13] = 1.5, [14] = 1.5, [18] = 0.25, [19] = 0.0};
     for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; i++)
-        row[i] = single(fixed[i]);
+        if (i < 9 || i > 11) /* 9 to 11 would be a reflectance in place of the index */
+            row[i] = single(fixed[i]);
     row[5] = height_of(cosine_of(ACROSS, at[ACROSS]));
     row[8] = height_of(cosine_of(UP, at[UP]));
 }
@@ -199,6 +202,34 @@ static const struct map maps[] = {
      .axis = "-au-",
      .in = {"n_h", "n_v", "n_l", "v_h"},
      .row = row_of_attenuation,
+     .judged = {true}},
+    {.name = "cook-torrance",
+     .comment = "F D G/(4 N.V) over N.V and N.L, half of them grazing: index 1.5, roughness 1/4, Beckmann's "
+                "distribution, azimuths 127 degrees apart",
+     .n = {COSINES_ACROSS, COSINES_UP},
+     .axis = "-----a--u-----------",
+     .in = {"nx",
+            "ny",
+            "nz",
+            "vx",
+            "vy",
+            "vz",
+            "lx",
+            "ly",
+            "lz",
+            "reflectance_r",
+            "reflectance_g",
+            "reflectance_b",
+            "n_r",
+            "n_g",
+            "n_b",
+            "k_r",
+            "k_g",
+            "k_b",
+            "roughness",
+            "distribution"},
+     .row = row_of_facets,
+     .shown = cosine_of,
      .judged = {true}},
     {.name = "frame", .comment = "T and B over the sphere of N, fine at the poles and at +-x", OF_NORMAL},
     {.name = "frame-printed",
