@@ -45,20 +45,28 @@ if (figure eq "rows") {
 
 # ---- Maps ----
 
+# The rows of this map, once for all: 0 in C or 1 in GLSL, which series, index, value. To look for them is what takes time.
 raw = folder . "/hard_raw.tsv"
-of(backend, series) = strcol("study") eq "hard" && strcol("series") eq series \
-    && strstrt(strcol("parameters"), "map=" . figure . " ") > 0 && strstrt(strcol("parameters"), "backend=" . backend . " ") > 0
-stats raw using (of("cpu", "across") ? column("index") : NaN) name "ACROSS" nooutput
-stats raw using (of("cpu", "up") ? column("index") : NaN) name "UP" nooutput
-stats raw using (of("gpu", "ulp") ? column("index") : NaN) name "GLSL" nooutput
-panels = exists("GLSL_max") ? 2 : 1
-if (!exists("ACROSS_max") || !exists("UP_max")) { exit status 3 }
-columns = int(ACROSS_max) + 1
+here(any) = strcol("study") eq "hard" && strstrt(strcol("parameters"), " map=" . figure . " ") > 0
+in_glsl(any) = strstrt(strcol("parameters"), " backend=gpu ") > 0
+series(any) = strstrt("ulp         across      up          beyond      conditioned ", strcol("series") . " ") / 12
+set table $POINTS separator tab
+plot raw using (in_glsl(0)):(series(0)):(column("index")):(column("value")) with table if (here(0))
+unset table
+set datafile nocolumnheaders
+if (|$POINTS| == 0) { exit status 3 }
+ULP = 0; ACROSS = 1; UP = 2; BEYOND = 3; CONDITIONED = 4
+of(backend, which) = $1 == backend && $2 == which
+panels = 1
+columns = 0
+lines = 0
+count(any) = (panels = $1 == 1 ? 2 : panels, columns = of(0, ACROSS) && $3 >= columns ? int($3) + 1 : columns, \
+              lines = of(0, UP) && $3 >= lines ? int($3) + 1 : lines, 0)
+stats $POINTS using (count(0)) nooutput
 array across[columns]
-array up[int(UP_max) + 1]
-keep(backend) = (of(backend, "across") ? (across[int(column("index")) + 1] = column("value")) : 0, \
-                 of(backend, "up") ? (up[int(column("index")) + 1] = column("value")) : 0, 0)
-stats raw using (keep("cpu")) nooutput
+array up[lines]
+keep(any) = (of(0, ACROSS) ? (across[int($3) + 1] = $4) : 0, of(0, UP) ? (up[int($3) + 1] = $4) : 0, 0)
+stats $POINTS using (keep(0)) nooutput
 
 # Points stand side by side, whatever their values are; an axis has tics at the points nearest to round values.
 near(x, value) = abs(x - value) / (abs(x) + abs(value) + 1e-300)
@@ -76,18 +84,18 @@ tics_across = of_rr
 tics_up = of_delta
 name_across = "R_r"
 name_up = "delta"
-name = "D(delta)"
-if (figure eq "ellipsoid-cdf") { name = "U(delta)" }
-if (figure eq "ellipsoid-inverse") { name = "delta(U) and its cosine"; name_up = "U"; tics_up = of_u }
+what = "D(delta)"
+if (figure eq "ellipsoid-cdf") { what = "U(delta)" }
+if (figure eq "ellipsoid-inverse") { what = "delta(U) and its cosine"; name_up = "U"; tics_up = of_u }
 if (figure eq "attenuation" || figure eq "cook-torrance") {
-    name = figure eq "attenuation" ? "G" : "Cook-Torrance"
+    what = figure eq "attenuation" ? "G" : "Cook-Torrance"
     name_across = "N.V"
     name_up = "N.L"
     tics_across = of_cosine
     tics_up = of_cosine
 }
 if (figure eq "frame" || figure eq "frame-printed") {
-    name = figure eq "frame" ? "The frame" : "The printed frame"
+    what = figure eq "frame" ? "The frame" : "The printed frame"
     name_across = "longitude of N in degrees, 0 and ±180 being ±x"
     name_up = "latitude of N in degrees, -90 being -z"
     tics_across = of_longitude
@@ -112,7 +120,7 @@ do for [i = 1:words(tics_up) / 2] { set ytics add (word(tics_up, 2 * i) nearest_
 at_column(i) = int(i) % columns
 at_line(i) = int(i) / columns
 set multiplot
-set label 1 name . ": errors in units in the last place" at screen 0.5, 0.965 center
+set label 1 what . ": errors in units in the last place" at screen 0.5, 0.965 center
 set label 2 name_across at screen 0.5, 0.13 center
 # The two marks, each on a piece of the scale.
 set object 1 rectangle from screen 0.14, 0.025 to screen 0.165, 0.06 fillcolor rgb "#08306b" fillstyle solid noborder
@@ -122,7 +130,6 @@ set object 2 rectangle from screen 0.70, 0.025 to screen 0.725, 0.06 fillcolor r
 set label 5 "beyond the bound" at screen 0.735, 0.0425 left font ",12"
 set tmargin at screen 0.88
 set bmargin at screen 0.26
-panel(k) = k == 1 ? "cpu" : "gpu"
 do for [k = 1:panels] {
     set lmargin at screen k == 1 ? 0.135 : 0.52
     set rmargin at screen k == 1 ? 0.485 : 0.87
@@ -134,9 +141,9 @@ do for [k = 1:panels] {
         set colorbox user origin screen 0.89, 0.26 size screen 0.02, 0.62
         set cbtics ("0" -5, "1/16" -4, "1/4" -2, "1" 0, "2" 1, "4" 2, "8 bound in C" 3, "16" 4, "32" 5, "84 in GLSL" 6.4, "256" 8, "1024" 10) font ",10"
     }
-    plot raw using (of(panel(k), "ulp") ? at_column(column("index")) : NaN):(at_line(column("index"))):(scaled(column("value"))) with image notitle, \
-        raw using (of(panel(k), "conditioned") ? at_column(column("value")) : NaN):(at_line(column("value"))) with points pointtype 7 pointsize 0.22 linecolor rgb "#ffffff" notitle, \
-        raw using (of(panel(k), "beyond") ? at_column(column("value")) : NaN):(at_line(column("value"))):(0.5):(0.5) with boxxyerror fillstyle solid noborder linecolor rgb "#d55e00" notitle
+    plot $POINTS using (of(k - 1, ULP) ? at_column($3) : NaN):(at_line($3)):(scaled($4)) with image notitle, \
+        $POINTS using (of(k - 1, CONDITIONED) ? at_column($4) : NaN):(at_line($4)) with points pointtype 7 pointsize 0.22 linecolor rgb "#ffffff" notitle, \
+        $POINTS using (of(k - 1, BEYOND) ? at_column($4) : NaN):(at_line($4)):(0.5):(0.5) with boxxyerror fillstyle solid noborder linecolor rgb "#d55e00" notitle
     unset label
     unset object
 }

@@ -168,7 +168,7 @@ static int read_point(struct reader *r, char *rest, size_t line, struct rl_error
     if (r->next == c->n_rows)
         return rl_fail(error, RL_ERR_INPUT, "found more points than %zu", c->n_rows);
     for (size_t j = 0; j < m->n_judged; j++) {
-        /* The answer, then both bounds over the plain ones; in absolute terms they are the plain ones. */
+        /* The answer, then both bounds over the plain ones, or of 0 the bounds; in absolute terms they are the plain ones. */
         long double x[1 + RL_CATALOGUE_BACKENDS] = {0.0L, 1.0L, 1.0L};
         for (size_t k = 0; k < (m->absolute ? 1 : 3); k++) {
             int status = rest ? number(&x[k], strsep(&rest, "\t"), error)
@@ -178,7 +178,9 @@ static int read_point(struct reader *r, char *rest, size_t line, struct rl_error
         }
         for (int b = 0; b < RL_CATALOGUE_BACKENDS; b++)
             c->answers[r->next * r->p->n_out + m->judged[j]][b] = (struct rl_catalogue_answer){
-                x[0], (double)x[1 + b] * plain_bound(m, (enum rl_catalogue_backend)b, x[0])};
+                x[0], (double)x[1 + b] * (x[0] == 0.0L && !m->absolute
+                                              ? 1.0
+                                              : plain_bound(m, (enum rl_catalogue_backend)b, x[0]))};
     }
     if (rest)
         return rl_fail(error, RL_ERR_INPUT, "found '%.64s' after the last column", rest);

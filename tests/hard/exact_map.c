@@ -4,7 +4,8 @@
  *     up ARGUMENT VALUE...           likewise
  *     all ARGUMENT VALUE             the same at every point; one that no line names is left out
  *     ulp RESULT...                  then a line a point, those across first: of each result the exact answer, and both bounds (of
- *                                    double and of single precision, as exact.c has them) over what no argument's rounding widens
+ *                                    double and of single precision, as exact.c has them) over what no argument's rounding widens;
+ *                                    of an answer of 0, whose units in the last place are next to nothing, the bounds themselves
  *     absolute RESULT...             in its place where errors count in the last place of 1: answers alone
  *
  * Every argument is a number of single precision, so that one answer serves both. A row of `maps` below is a file.
@@ -92,10 +93,10 @@ static double cosine_of(int axis, size_t i)
 
 static void row_of_attenuation(double row[], const size_t at[AXES])
 {
-    row[0] = 0.75;
+    row[0] = single(0.7); /* not short: products are to be rounded */
     row[1] = single(cosine_of(ACROSS, at[ACROSS]));
     row[2] = single(cosine_of(UP, at[UP]));
-    row[3] = 0.5;
+    row[3] = single(0.6);
 }
 
 /* The height above the unit circle at which a direction has that cosine. */
@@ -197,7 +198,7 @@ static const struct map maps[] = {
      .row = row_of_u,
      .judged = {true, false, true}},
     {.name = "attenuation",
-     .comment = "G over N.V and N.L, half of them grazing, where N.H = 3/4 and V.H = 1/2",
+     .comment = "G over N.V and N.L, half of them grazing, where N.H = 0.7 and V.H = 0.6",
      .n = {COSINES_ACROSS, COSINES_UP},
      .axis = "-au-",
      .in = {"n_h", "n_v", "n_l", "v_h"},
@@ -297,12 +298,15 @@ static double plain_bound(mpfr_t y, int precision)
 /* 19 digits, and in absolute terms 17 behind the point: errors to within a fiftieth of a unit in the last place of 1. */
 static void write_answer(FILE *to, const struct map *m, struct exact_answer *a, size_t k)
 {
-    if (mpfr_zero_p(a->out[0][k]))
+    bool zero =
+        mpfr_get_d(a->out[0][k], MPFR_RNDN) == 0.0; /* or next to it: the cosine of asin(1), rounded */
+    if (zero)
         fputc('0', to);
     else
         mpfr_fprintf(to, m->absolute ? "%.17Rf" : "%.18Re", a->out[0][k]);
     for (int p = 0; p < 2 && !m->absolute; p++)
-        fprintf(to, "\t%.3g", fmax(a->bound[p][k] / plain_bound(a->out[0][k], p), 1.0));
+        fprintf(to, "\t%.3g",
+                zero ? a->bound[p][k] : fmax(a->bound[p][k] / plain_bound(a->out[0][k], p), 1.0));
 }
 
 static void write_points(FILE *to, const struct map *m, const struct exact_function *f)
