@@ -30,7 +30,8 @@ if (figure eq "rows") {
     set ytics () font ",11"
     do for [i = 1:words(names)] { set ytics add (word(names, i) i) }
     if (!thumbnail) { set lmargin 24 }
-    set bmargin 6.2
+    set bmargin 7
+    set key maxcols 3 font ",13"
     set arrow 1 from 1, graph 0 to 1, graph 1 nohead linestyle 90
     # What is not finite is at the right edge.
     place(x) = x < top ? standing(x) : top
@@ -51,7 +52,7 @@ here(any) = strcol("study") eq "hard" && strstrt(strcol("parameters"), " map=" .
 in_glsl(any) = strstrt(strcol("parameters"), " backend=gpu ") > 0
 series(any) = strstrt("ulp         across      up          beyond      conditioned ", strcol("series") . " ") / 12
 set table $POINTS separator tab
-plot raw using (in_glsl(0)):(series(0)):(column("index")):(column("value")) with table if (here(0))
+plot raw using (in_glsl(0)):(series(0)):(column("index")):(sprintf("%.12g", column("value"))) with table if (here(0))
 unset table
 set datafile nocolumnheaders
 if (|$POINTS| == 0) { exit status 3 }
@@ -76,7 +77,7 @@ nearest_up(value) = (best = 1, sum [i = 1:|up|] (near(up[i], value) < near(up[be
 of_rr = "1.0e-6 10^{-6} 1.0e-3 10^{-3} 0.5 1/2 0.999 .999 1 1 1.001 1.001 2 2 1.0e3 10^3 1.0e6 10^6 1.0e9 10^9 1.0e12 10^{12}"
 of_delta = "-1.57079625 -π/2+10^{-7} -1.5698 -π/2+10^{-3} -1 -1 -0.1 -0.1 -1.0e-3 -10^{-3} -1.0e-7 -10^{-7} 1.0e-30 10^{-30} " \
     . "1.0e-7 10^{-7} 1.0e-3 10^{-3} 0.1 0.1 1 1 1.5698 π/2-10^{-3} 1.57079625 π/2-10^{-7}"
-of_u = "0 0 1.0e-30 10^{-30} 1.0e-9 10^{-9} 1.0e-5 10^{-5} 0.01 0.01 0.25 1/4 0.5 1/2 0.75 3/4 0.99 0.99 0.99999 1-10^{-5} 1 1"
+of_u = "0 0 1.0e-37 10^{-37} 1.0e-9 10^{-9} 1.0e-5 10^{-5} 0.01 0.01 0.25 1/4 0.5 1/2 0.75 3/4 0.99 0.99 0.99999 1-10^{-5} 1 1"
 of_cosine = "1.0e-30 10^{-30} 1.0e-20 10^{-20} 1.0e-10 10^{-10} 1.0e-5 10^{-5} 0.01 0.01 0.25 1/4 0.5 1/2 0.75 3/4 1 1"
 of_longitude = "-179.999994 -180 -145 -145 -90 -90 -34.4 -34.4 -0.57 -0.57 1.0e-6 0 0.57 0.57 34.4 34.4 90 90 145 145 180 180"
 of_latitude = "-90 -90 -89.43 -89.4 -84.3 -84.3 -60 -60 -30 -30 -0.0573 -.06 0.0573 .06 30 30 60 60 84.3 84.3 89.43 89.4 90 90"
@@ -120,7 +121,7 @@ do for [i = 1:words(tics_up) / 2] { set ytics add (word(tics_up, 2 * i) nearest_
 at_column(i) = int(i) % columns
 at_line(i) = int(i) / columns
 set multiplot
-set label 1 what . ": errors in units in the last place" at screen 0.5, 0.965 center
+set label 1 what . ": errors in units in the last place" . (figure[1:5] eq "frame" ? " of 1" : "") at screen 0.5, 0.965 center
 set label 2 name_across at screen 0.5, 0.13 center
 # The two marks, each on a piece of the scale.
 set object 1 rectangle from screen 0.14, 0.025 to screen 0.165, 0.06 fillcolor rgb "#08306b" fillstyle solid noborder
@@ -139,7 +140,7 @@ do for [k = 1:panels] {
         set format y ""
         set ytics ()
         set colorbox user origin screen 0.89, 0.26 size screen 0.02, 0.62
-        set cbtics ("0" -5, "1/16" -4, "1/4" -2, "1" 0, "2" 1, "4" 2, "8 bound in C" 3, "16" 4, "32" 5, "84 in GLSL" 6.4, "256" 8, "1024" 10) font ",10"
+        set cbtics ("0" -5, "1/16" -4, "1/4" -2, "1" 0, "2" 1, "4" 2, "8 (C)" 3, "16" 4, "32" 5, "84 (GLSL)" 6.4, "256" 8, "1024" 10) font ",10"
     }
     plot $POINTS using (of(k - 1, ULP) ? at_column($3) : NaN):(at_line($3)):(scaled($4)) with image notitle, \
         $POINTS using (of(k - 1, CONDITIONED) ? at_column($4) : NaN):(at_line($4)) with points pointtype 7 pointsize 0.22 linecolor rgb "#ffffff" notitle, \

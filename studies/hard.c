@@ -105,9 +105,13 @@ static const struct rl_table tables[] = {
 
 /* How all maps are read. */
 #define MAP_KEY                                                                                              \
-    " Left in C, in units in the last place of double precision, right in GLSL, of single. White: right to " \
-    "within 1/16 of a unit, zero included. Dots: above the plain bound, by no more than the arguments' own " \
-    "rounding moves the answer. Orange squares: beyond the bound."
+    " Left in C, in units in the last place of double precision, right in GLSL, in those of single (of "     \
+    "answers "                                                                                               \
+    "below 0.1 in those of 0.1, for there the bound is absolute). White: right to within 1/16 of a unit, "   \
+    "zero "                                                                                                  \
+    "included; the scale has marks where the bounds are, 8 units and 1e-5. Dots: above that, by no more "    \
+    "than "                                                                                                  \
+    "rounding the arguments moves the answer. Orange squares: beyond the bound."
 
 static const struct rl_figure figures_alone[] = {
     {"rows",

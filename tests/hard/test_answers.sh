@@ -30,9 +30,10 @@ doctored_map() {
     mkdir -p "$tmp/maps" && cp tests/hard/maps/*.tsv "$tmp/maps" &&
         sed -i '$ s/[0-8]\t/9\t/' "$tmp/maps/ellipsoid-pdf.tsv" &&
         ! cmp -s tests/hard/maps/ellipsoid-pdf.tsv "$tmp/maps/ellipsoid-pdf.tsv" &&
-        ! "$exact" --check --maps "$tmp/maps" && "$exact" --maps "$tmp/maps" && diff -r tests/hard/maps "$tmp/maps"
+        ! "$exact" --check --maps "$tmp/maps" 2>"$tmp/err" && [ "$(wc -l <"$tmp/err")" -eq 1 ] &&
+        grep -q "^$tmp/maps/ellipsoid-pdf.tsv: its answers are not what" "$tmp/err"
 }
-check "another digit of a map is seen, and mended" doctored_map
+check "another digit of a map is seen" doctored_map
 
 # One digit of the first answer is another.
 doctored() {

@@ -41,7 +41,7 @@ refused "two grids" "found both, expected one of them" study run fps --quick --f
 refused "an unknown scene" "no-such-scene" study run fps --quick --scene no-such-scene --db "$tmp/x.db"
 refused "one scene twice" "was given before" study run fps --quick --scene sphere-quad --scene sphere-quad --db "$tmp/x.db"
 # Scenes that do not fit, do not exist, or would: none of them is looked at.
-for study in distribution interpolation; do
+for study in distribution interpolation hard; do
     for scene in glass lamps teapot-star no-such-scene; do
         refused "$study: a scene" "--scene: found '$scene', but the study $study takes no scene" \
             study run $study --quick --scene $scene --db "$tmp/x.db"
@@ -56,7 +56,7 @@ refused "a text file as database" "not an SQLite database" study report --db "$t
 check "which is left as it was" grep -q "not a database, but" "$tmp/text.db"
 
 "$rl" study list >"$tmp/list.tsv"
-for study in distribution samples roughness bitdepth frame margin environment budget effects fps bare visibility accuracy; do
+for study in distribution samples roughness bitdepth frame margin environment budget effects fps bare visibility accuracy hard; do
     check "list has study $study" [ "$(column study "$tmp/list.tsv" | grep -cx $study)" -eq 1 ]
 done
 
