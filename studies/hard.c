@@ -14,15 +14,19 @@ const char *rl_hard_backend(enum rl_catalogue_backend backend)
     return name[backend];
 }
 
-int rl_hard_list(char ***paths, size_t *n, bool maps, struct rl_error *error)
+/* The files of the catalogue, or of its maps. */
+static int list_files(char ***paths, size_t *n, bool maps, struct rl_error *error)
 {
     char folder[4096];
+    *paths = NULL;
+    *n = 0;
     int status = maps ? rl_map_folder(folder, sizeof folder, error)
                       : rl_catalogue_folder(folder, sizeof folder, error);
     return status == RL_OK ? rl_catalogue_list(paths, n, folder, error) : status;
 }
 
-void rl_hard_name(char name[], size_t size, const char *path)
+/* A file's name without folder and ending. */
+static void name_of(char name[], size_t size, const char *path)
 {
     const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
     snprintf(name, size, "%.*s", (int)(strlen(base) - strlen(".tsv")), base);
@@ -42,7 +46,7 @@ static int plan_file(struct rl_run *run, const struct rl_place *place, const cha
         return status;
     rl_hash_text(hash, rl_hash_bytes(RL_HASH_START, data, size));
     free(data);
-    rl_hard_name(name, sizeof name, path);
+    name_of(name, sizeof name, path);
     for (int b = 0; b < RL_CATALOGUE_BACKENDS && status == RL_OK; b++) {
         const char *backend = rl_hard_backend((enum rl_catalogue_backend)b);
         if (b == RL_CATALOGUE_GPU && rl_probe_check_gpu(&probe, NULL) != RL_OK)
@@ -65,7 +69,7 @@ static int plan_alone(struct rl_run *run, const struct rl_place *place, enum rl_
     for (int maps = 0; maps < 2 && status == RL_OK; maps++) {
         char **paths;
         size_t n;
-        status = rl_hard_list(&paths, &n, maps != 0, error);
+        status = list_files(&paths, &n, maps != 0, error);
         for (size_t i = 0; i < n && status == RL_OK; i++)
             status = plan_file(run, place, paths[i], maps != 0, group++, error);
         rl_catalogue_list_free(paths, n);

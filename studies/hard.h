@@ -18,11 +18,6 @@
 /* "cpu", "gpu" */
 const char *rl_hard_backend(enum rl_catalogue_backend backend);
 
-/* The files of the catalogue, or of its maps. */
-int rl_hard_list(char ***paths, size_t *n, bool maps, struct rl_error *error);
-/* A file's name without folder and ending. */
-void rl_hard_name(char name[], size_t size, const char *path);
-
 int rl_hard_measure(struct rl_record *records, size_t n, struct rl_bench *bench, const struct rl_scene *scene,
                     struct rl_error *error);
 

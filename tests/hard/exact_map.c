@@ -114,10 +114,12 @@ static const double tangents[] = {1e-30, 1e-3, 0.57735, 1.73205, 10.0, 100.0, 1e
 
 enum {
     LONGITUDES = sizeof longitudes / sizeof longitudes[0], /* in a quarter of a turn */
-    TANGENTS = sizeof tangents / sizeof tangents[0]
+    TURN = 4 * LONGITUDES,
+    TANGENTS = sizeof tangents / sizeof tangents[0],
+    LATITUDES = 2 * TANGENTS
 };
 
-/* The i-th of 4 x LONGITUDES: from just above -180 degrees to 180. */
+/* The i-th of TURN: from just above -180 degrees to 180. */
 static void longitude_at(double to[2], size_t i)
 {
     int turn = (int)i - (2 * LONGITUDES - 1), k = abs(turn), half = LONGITUDES;
@@ -172,7 +174,7 @@ struct map {
 };
 
 #define OF_NORMAL                                                                                            \
-    .n = {4 * LONGITUDES, 2 * TANGENTS}, .axis = "aau", .in = {"nx", "ny", "nz"}, .row = row_of_normal,      \
+    .n = {TURN, LATITUDES}, .axis = "aau", .in = {"nx", "ny", "nz"}, .row = row_of_normal,                   \
     .shown = degrees_of, .judged = {true, true, true, true, true, true}, .absolute = true
 
 static const struct map maps[] = {

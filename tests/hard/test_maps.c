@@ -84,9 +84,9 @@ static void test_reading(void **state)
     assert_int_equal(m.n[RL_MAP_UP], 3);
     check_near(m.shown[RL_MAP_ACROSS][1], 0.5, 0.0);
     check_near(m.shown[RL_MAP_UP][1], 90.0, 0.0);
-    const double expected[] = {1.0, 0.5, 1.0, 1.0};
+    const double expected[] = {1.0, 0.5, 1.0, 1.0}; /* the last of 6 rows of 4 arguments */
     for (size_t i = 0; i < 4; i++)
-        check_near(m.catalogue.rows[5 * 4 + i], expected[i], 0.0);
+        check_near(m.catalogue.rows[20 + i], expected[i], 0.0);
     check_near(m.catalogue.answers[0][RL_CATALOGUE_CPU].bound, 8.0 * DBL_EPSILON / 2.0, 1e-30);
     check_near(m.catalogue.answers[0][RL_CATALOGUE_GPU].bound, 5e-6, 1e-20);
     check_near(m.catalogue.answers[2][RL_CATALOGUE_CPU].bound, 1e-16, 1e-30);
