@@ -142,7 +142,7 @@ do for [k = 1:panels] {
         set colorbox user origin screen 0.89, 0.26 size screen 0.02, 0.62
         set cbtics ("0" -5, "1/16" -4, "1/4" -2, "1" 0, "2" 1, "4" 2, "8 (C)" 3, "16" 4, "32" 5, "84 (GLSL)" 6.4, "256" 8, "1024" 10) font ",10"
     }
-    plot $POINTS using (of(k - 1, ULP) ? at_column($3) : NaN):(at_line($3)):(scaled($4)) with image notitle, \
+    plot $POINTS using (of(k - 1, ULP) ? at_column($3) : NaN):(at_line($3)):(scaled($4)) with image pixels notitle, \
         $POINTS using (of(k - 1, CONDITIONED) ? at_column($4) : NaN):(at_line($4)) with points pointtype 7 pointsize 0.22 linecolor rgb "#ffffff" notitle, \
         $POINTS using (of(k - 1, BEYOND) ? at_column($4) : NaN):(at_line($4)):(0.5):(0.5) with boxxyerror fillstyle solid noborder linecolor rgb "#d55e00" notitle
     unset label

@@ -137,8 +137,7 @@ static const struct rl_figure figures_alone[] = {
      "exactly." MAP_KEY},
 };
 
-static const struct rl_cost costs[] = {{.pattern = "series=map", .group = 0.06},
-                                       {.pattern = "", .group = 0.06}};
+static const struct rl_cost costs[] = {{.pattern = "", .group = 0.02}};
 
 static const char *const no_scenes[] = {NULL};
 
