@@ -36,11 +36,14 @@ static struct shape any_light(struct dice *d, rl_vec3 centre)
                          n < 5 ? 0.4 : 0.2);
 }
 
-/* Lays the polygon into the plane z = P.z: P is in a plane exactly there, and beside one, by rounding, nearly anywhere else. */
+/* Moves the polygon along its normal until P lies in its plane. */
 static void level_with(struct shape *shape, rl_vec3 P)
 {
+    rl_vec3 normal = v3_normalize(
+        v3_cross(v3_sub(shape->vertex[1], shape->vertex[0]), v3_sub(shape->vertex[2], shape->vertex[0])));
+    double off = v3_dot(normal, v3_sub(P, shape->vertex[0]));
     for (size_t i = 0; i < shape->n; i++)
-        shape->vertex[i].z = P.z;
+        shape->vertex[i] = v3_madd(shape->vertex[i], off, normal);
 }
 
 static struct rl_light_set *coloured(struct shape *shapes, size_t n)
