@@ -145,9 +145,9 @@ static int add_pixels(struct rl_record *r, const struct line *l, double *line, s
     int status =
         n > LINE_LEAST ? RL_OK : rl_fail(error, RL_ERR_INPUT, "the line in the middle shows nothing");
     if (status == RL_OK)
-        status = rl_record_add(r, "step", (struct rl_interval){step, step, step}, "1", error);
+        status = rl_record_add_exact(r, "step", step, "1", error);
     if (status == RL_OK)
-        status = rl_record_add(r, "bend", (struct rl_interval){most, most, most}, "1", error);
+        status = rl_record_add_exact(r, "bend", most, "1", error);
     if (status == RL_OK)
         status = rl_record_series_add(r, "radiance", line, width, error);
     if (status == RL_OK)
@@ -159,15 +159,14 @@ static int add_pixels(struct rl_record *r, const struct line *l, double *line, s
 static int add_bands(struct rl_record *r, const struct line *l, struct rl_error *error)
 {
     size_t width = (size_t)l->c->plan.settings.width;
-    double *line = calloc(width, sizeof *line), slope, jump;
+    double *line = calloc(width, sizeof *line), slope = 0.0, jump = 0.0;
     int status = line ? add_pixels(r, l, line, width, error) : rl_fail_memory(error, "a line");
     free(line);
     if (status == RL_OK)
         status = measure_slopes(l, &slope, &jump, error);
     if (status == RL_OK)
-        status = rl_record_add(r, "slope", (struct rl_interval){slope, slope, slope}, "1", error);
-    return status == RL_OK ? rl_record_add(r, "jump", (struct rl_interval){jump, jump, jump}, "1", error)
-                           : status;
+        status = rl_record_add_exact(r, "slope", slope, "1", error);
+    return status == RL_OK ? rl_record_add_exact(r, "jump", jump, "1", error) : status;
 }
 
 int rl_interpolation_measure_bands(struct rl_record *r, struct rl_bench *bench, struct rl_error *error)
