@@ -41,42 +41,26 @@ static int allocate(struct arrays *a, const struct rl_mesh *mesh, size_t n_attri
                          .n_triangles = mesh->n_triangles,
                          .attribute = calloc(most_vertices * n_attributes, sizeof *a->attribute),
                          .triangle = malloc(mesh->n_triangles * sizeof *a->triangle)};
-    if (!a->attribute || !a->triangle) {
-        clear(a);
+    if (!a->attribute || !a->triangle)
         return rl_fail_memory(error, "vertices");
-    }
     for (size_t i = 0; i < mesh->n_vertices; i++)
         copy_vertex(a, i, mesh, i);
     memcpy(a->triangle, mesh->triangle, mesh->n_triangles * sizeof *a->triangle);
     return RL_OK;
 }
 
-/* Turns the triangle, if that lets its last vertex be one that is no other's last yet; else that vertex is doubled. So hardly more vertices
- * are evaluated than there are triangles. */
-static void own_last_vertex(struct arrays *a, bool *taken, const struct rl_mesh *mesh, size_t triangle)
-{
-    const uint32_t *corner = mesh->triangle[triangle];
-    uint32_t *turned = a->triangle[triangle];
-    for (int i = 2; i < 5; i++) {
-        if (taken[corner[i % 3]])
-            continue;
-        for (int k = 0; k < 3; k++)
-            turned[k] = corner[(i + 1 + k) % 3];
-        taken[turned[2]] = true;
-        return;
-    }
-    copy_vertex(a, a->n_vertices, mesh, turned[2]);
-    turned[2] = (uint32_t)a->n_vertices++;
-}
-
 static int make_facets(struct arrays *a, const struct rl_mesh *mesh, struct rl_error *error)
 {
-    bool *taken = calloc(mesh->n_vertices, sizeof *taken);
-    if (!taken)
+    size_t n_twins = 0;
+    uint32_t *twin = malloc((mesh->n_triangles + 1) * sizeof *twin);
+    if (!twin)
         return rl_fail_memory(error, "vertices");
     int status = allocate(a, mesh, ATTRIBUTES, mesh->n_vertices + mesh->n_triangles, error);
+    if (status == RL_OK)
+        status = rl_mesh_own_last(&n_twins, a->triangle, twin, mesh, error);
+    for (size_t i = 0; i < n_twins; i++)
+        copy_vertex(a, a->n_vertices++, mesh, twin[i]);
     for (size_t t = 0; t < mesh->n_triangles && status == RL_OK; t++) {
-        own_last_vertex(a, taken, mesh, t);
         rl_vec3 centroid, normal;
         rl_mesh_facet(mesh, t, &centroid, &normal);
         const rl_vec3 from[2] = {centroid, normal};
@@ -87,7 +71,7 @@ static int make_facets(struct arrays *a, const struct rl_mesh *mesh, struct rl_e
             to[2] = (float)from[k].z;
         }
     }
-    free(taken);
+    free(twin);
     return status;
 }
 
@@ -175,9 +159,8 @@ int rl_mesh_upload(struct rl_gpu_object *object, struct rl_gl *gl, const struct 
     struct arrays a = {0};
     int status = facets ? make_facets(&a, mesh, error)
                         : allocate(&a, mesh, ATTRIBUTES_SMOOTH, mesh->n_vertices, error);
-    if (status != RL_OK)
-        return status;
-    status = upload(object, gl, &a, bytes, error);
+    if (status == RL_OK)
+        status = upload(object, gl, &a, bytes, error);
     clear(&a);
     return status;
 }

@@ -37,6 +37,13 @@ int rl_mesh_closed(bool *closed, const struct rl_mesh *mesh, struct rl_error *er
  * tip; 0 of one without area. */
 void rl_mesh_facet(const struct rl_mesh *mesh, size_t triangle, rl_vec3 *centroid, rl_vec3 *normal);
 
+/* The same triangles so that the last corner of each is no other's last (OpenGL's provoking vertex, which `flat` outputs are taken from):
+ * turned where that is enough, else with a copy of it. So hardly more vertices are evaluated than there are triangles. *n_twins: how many
+ * copies; `twin`: vertex n_vertices + i is a copy of vertex twin[i]. `triangle` and `twin` have room for n_triangles each; NULL: only
+ * counted. (mesh_facets.c) */
+int rl_mesh_own_last(size_t *n_twins, uint32_t (*triangle)[3], uint32_t *twin, const struct rl_mesh *mesh,
+                     struct rl_error *error);
+
 /* Loads any file that assimp knows (OBJ, PLY, glTF/GLB, ...), all its meshes joined and node transforms
  * applied. Normals missing from the file are made, smooth. RL_ERR_INPUT, naming the file: unreadable, no
  * triangles, non-finite vertices, truncated, or a file that assimp crashes on or does not finish: it runs

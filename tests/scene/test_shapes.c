@@ -234,11 +234,50 @@ static void test_back_faces(void **state)
     rl_mesh_clear(&mesh);
 }
 
+/* As OpenGL draws triangles that are shaded as a whole: no last corner twice, the same corners in the same order, and hardly more vertices. */
+static void test_own_last(void **state)
+{
+    (void)state;
+    static const enum rl_shape shapes[] = {RL_SHAPE_SPHERE, RL_SHAPE_TORUS, RL_SHAPE_PLANE, RL_SHAPE_DISC};
+    for (size_t s = 0; s < sizeof shapes / sizeof shapes[0]; s++) {
+        struct rl_mesh mesh;
+        size_t n = 0, counted = 0;
+        check_ok(rl_shape_build(&mesh, shapes[s], 12, 0.3, &error), &error);
+        uint32_t(*turned)[3] = malloc(mesh.n_triangles * sizeof *turned);
+        uint32_t *twin = malloc(mesh.n_triangles * sizeof *twin);
+        bool *last = calloc(mesh.n_vertices + mesh.n_triangles, sizeof *last);
+        assert_true(turned && twin && last);
+        check_ok(rl_mesh_own_last(&n, turned, twin, &mesh, &error), &error);
+        check_ok(rl_mesh_own_last(&counted, NULL, NULL, &mesh, &error), &error);
+        assert_int_equal(n, counted);
+        assert_true(mesh.n_vertices + n <= mesh.n_triangles + mesh.n_triangles / 8 + 3);
+        for (size_t t = 0; t < mesh.n_triangles; t++) {
+            uint32_t corner[3];
+            assert_in_range(turned[t][2], 0, mesh.n_vertices + n - 1);
+            assert_false(last[turned[t][2]]);
+            last[turned[t][2]] = true;
+            for (int k = 0; k < 3; k++)
+                corner[k] =
+                    turned[t][k] < mesh.n_vertices ? turned[t][k] : twin[turned[t][k] - mesh.n_vertices];
+            int first = 0;
+            while (first < 3 && corner[0] != mesh.triangle[t][first])
+                first++;
+            for (int k = 0; k < 3; k++)
+                assert_int_equal(corner[k], mesh.triangle[t][(first + k) % 3]);
+        }
+        free(turned);
+        free(twin);
+        free(last);
+        rl_mesh_clear(&mesh);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sizes),   cmocka_unit_test(test_normals), cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_closed),  cmocka_unit_test(test_back_faces),
+        cmocka_unit_test(test_sizes),    cmocka_unit_test(test_normals), cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_refused),  cmocka_unit_test(test_closed),  cmocka_unit_test(test_back_faces),
+        cmocka_unit_test(test_own_last),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
