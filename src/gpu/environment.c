@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "gpu/scene.h"
 #include "gpu/textures.h"
+#include "scene/plan_sizes.h"
 
 static const double NEAR_RATIO = 1e-6;
 
@@ -27,11 +28,10 @@ static int make_cube(GLuint *cube, struct rl_gpu_scene *gs, struct rl_error *err
         gs->counters.textures_kept++;
         return RL_OK;
     }
-    size_t texels = 6 * (size_t)s->env_size * (size_t)s->env_size;
     int status = rl_cube_make(cube, &gpu->gl, s, error);
     if (status == RL_OK)
         return rl_kept_add(&gpu->kept, &gpu->gl, RL_KEPT_STORAGE, key, *cube,
-                           texels * rl_texel_storage(s->env_format).bytes, error);
+                           rl_plan_size_environment(s).bytes, error);
     gpu->gl.DeleteTextures(1, cube);
     *cube = 0;
     return status;

@@ -5,6 +5,7 @@
 
 #include "gpu/scene.h"
 #include "gpu/textures.h"
+#include "scene/plan_sizes.h"
 
 static void store(float to[3], rl_vec3 v)
 {
@@ -40,6 +41,7 @@ static int upload(struct rl_gpu_scene *gs, GLenum target, GLuint *buffer, void *
 struct light_vertex {
     float position[3], radiance[3];
 };
+_Static_assert(sizeof(struct light_vertex) == RL_BYTES_LIGHT_VERTEX, "as the plan has it");
 
 /* The i-th light of the plan. */
 static const struct rl_light *light_of(const struct rl_gpu_scene *gs, size_t i)
@@ -96,6 +98,9 @@ struct polygon_block {
     float radiance[4];
     GLint range[4];
 };
+_Static_assert(sizeof(struct point_block) == RL_BYTES_LIGHT_POINT, "as the plan has it");
+_Static_assert(sizeof(struct source_block) == RL_BYTES_LIGHT_SOURCE, "as the plan has it");
+_Static_assert(sizeof(struct polygon_block) == RL_BYTES_LIGHT_POLYGON, "as the plan has it");
 
 static int fill_points(struct rl_gpu_scene *gs, struct rl_error *error)
 {

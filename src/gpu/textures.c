@@ -12,17 +12,17 @@
 
 enum { HALF_MANTISSA = 10 }; /* explicit bits */
 
-struct rl_texel_storage rl_texel_storage(enum rl_texel_format format)
+GLenum rl_texel_internal_format(enum rl_texel_format format)
 {
-    static const struct rl_texel_storage storage[RL_TEXEL_FORMATS] = {
-        [RL_TEXEL_RGBA8] = {GL_RGBA8, 4},
-        [RL_TEXEL_RGB10A2] = {GL_RGB10_A2, 4},
-        [RL_TEXEL_R11G11B10F] = {GL_R11F_G11F_B10F, 4},
-        [RL_TEXEL_RGBA16] = {GL_RGBA16, 8},
-        [RL_TEXEL_RGBA16F] = {GL_RGBA16F, 8},
-        [RL_TEXEL_RGBA32F] = {GL_RGBA32F, 16},
+    static const GLenum internal_format[RL_TEXEL_FORMATS] = {
+        [RL_TEXEL_RGBA8] = GL_RGBA8,
+        [RL_TEXEL_RGB10A2] = GL_RGB10_A2,
+        [RL_TEXEL_R11G11B10F] = GL_R11F_G11F_B10F,
+        [RL_TEXEL_RGBA16] = GL_RGBA16,
+        [RL_TEXEL_RGBA16F] = GL_RGBA16F,
+        [RL_TEXEL_RGBA32F] = GL_RGBA32F,
     };
-    return storage[format];
+    return internal_format[format];
 }
 
 float rl_texel_unit(enum rl_texel_format format, float radiance_scale)
@@ -298,7 +298,7 @@ int rl_cube_make(GLuint *texture, struct rl_gl *gl, const struct rl_settings *se
     gl->GenTextures(1, texture);
     gl->BindTexture(GL_TEXTURE_CUBE_MAP, *texture);
     use_single_texels(gl, GL_TEXTURE_CUBE_MAP, GL_CLAMP_TO_EDGE);
-    gl->TexStorage2D(GL_TEXTURE_CUBE_MAP, 1, rl_texel_storage(settings->env_format).internal_format,
+    gl->TexStorage2D(GL_TEXTURE_CUBE_MAP, 1, rl_texel_internal_format(settings->env_format),
                      settings->env_size, settings->env_size);
     char what[64];
     snprintf(what, sizeof what, "an environment map of 6 x %d x %d texels", settings->env_size,

@@ -11,12 +11,8 @@
 #include "scene/plan.h"
 #include "scene/settings.h"
 
-/* How a format of the environment map is made. */
-struct rl_texel_storage {
-    GLenum internal_format;
-    size_t bytes; /* a texel */
-};
-struct rl_texel_storage rl_texel_storage(enum rl_texel_format format);
+/* OpenGL's name of a format of the environment map. */
+GLenum rl_texel_internal_format(enum rl_texel_format format);
 
 /* What radiance is divided by in texels of this format. The brightest light's own radiance in unsigned
  * formats, which then use all of their range; the power of two above it in floating-point ones, where this
