@@ -67,10 +67,41 @@ struct rl_plan_object {
         [RL_MESH_PARTS]; /* the first object whose part is the same, byte for byte: itself, if no other's before it is */
 };
 
+/* Why. Several may be one to a program that reads them: rl_plan_reason_code. */
+enum rl_plan_reason {
+    RL_WHY_NONE,
+    RL_WHY_OUTSIDE_VIEW,
+    RL_WHY_ONLY_SHADOW,
+    RL_WHY_LIGHTS_BEHIND_OBJECT,
+    RL_WHY_LIGHTS_BEHIND_WEARERS,
+    RL_WHY_WEARERS_OUTSIDE_VIEW,
+    RL_WHY_NOT_WORN,
+    RL_WHY_NO_RADIANCE,
+    RL_WHY_NO_STRENGTH,
+    RL_WHY_BEHIND_SURFACES,
+    RL_WHY_UNSEEN,
+    RL_WHY_ZERO_COEFFICIENTS,
+    RL_WHY_NO_HIGHLIGHT,
+    RL_WHY_NO_LIGHT,
+    RL_WHY_ZERO_SPECULAR,
+    RL_WHY_ZERO_FACTOR,
+    RL_WHY_NO_SHAPED_LIGHT,
+    RL_WHY_LIGHTS_DARK,
+    RL_WHY_TOO_ROUGH,
+    RL_WHY_NO_PASS,
+    RL_WHY_SINGLE_OBJECT,
+    RL_WHY_NOTHING_TO_HIDE,
+    RL_WHYS
+};
+/* "outside-view": for programs, and does not change. */
+const char *rl_plan_reason_code(enum rl_plan_reason why);
+
 /* What the scene has and the plan leaves out. */
 struct rl_plan_drop {
-    const char *kind; /* "object", "material", "light", "effect", "highlight" */
-    char name[72], reason[160];
+    const char *kind; /* "object", "material", "light", "effect", "highlight", "highlight of object" */
+    enum rl_plan_reason why;
+    int material, object;       /* indices in the scene of what it is of, or is; -1: of none */
+    char name[72], reason[160]; /* reason: in words */
 };
 
 struct rl_plan {

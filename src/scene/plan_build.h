@@ -22,8 +22,10 @@ void rl_plan_drop_objects(struct rl_plan *plan, const struct rl_scene *scene);
 void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene);
 /* The effect that makes the material's highlight black, a factor with coefficients of 0; NULL if there is none. */
 const struct rl_effect *rl_plan_zero_factor(const struct rl_material *material);
-/* Why nothing could be hidden from anything, if shadows were on; or NULL. */
-const char *rl_plan_no_shadows(const struct rl_plan *plan, const struct rl_scene *scene);
+bool rl_plan_dark(const double strength[3]);
+
+/* plan_reasons.c. Why nothing could be hidden from anything, if shadows were on; or RL_WHY_NONE, which is 0. */
+enum rl_plan_reason rl_plan_no_shadows(const struct rl_plan *plan, const struct rl_scene *scene);
 /* Rows of plan->drop: whatever is in the scene and not in the finished plan, and why. */
 int rl_plan_list_drops(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error);
 

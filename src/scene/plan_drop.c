@@ -1,9 +1,6 @@
 /* What cannot matter in this scene, and why (see plan_build.h). Nothing is dropped that could change a pixel by a bit: every test leaves room
  * for rounding in single precision, and doubt keeps. */
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #include "scene/plan_build.h"
 
@@ -92,7 +89,7 @@ static bool behind_facets(const struct body *body, const struct rl_mesh *mesh)
     return true;
 }
 
-static bool dark(const double strength[3])
+bool rl_plan_dark(const double strength[3])
 {
     return !(strength[0] > 0.0) && !(strength[1] > 0.0) && !(strength[2] > 0.0);
 }
@@ -172,7 +169,7 @@ static void find_highlit(struct rl_plan *plan, const struct rl_scene *scene)
         for (size_t k = 0; k < plan->n_lights && plan->object[i].drawn && !lit; k++) {
             const struct rl_light *light = &scene->light[plan->light[k]];
             struct body body = body_of_light(light);
-            lit = !dark(light->radiance) &&
+            lit = !rl_plan_dark(light->radiance) &&
                   !unseen(plan, scene, i, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS);
         }
         plan->object[i].highlit = lit;
@@ -187,7 +184,7 @@ void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
     for (size_t i = 0; i < plan->n_lights; i++) {
         const struct rl_light *light = &scene->light[plan->light[i]];
         struct body body = body_of_light(light);
-        bool nothing = dark(light->radiance) && !hide;
+        bool nothing = rl_plan_dark(light->radiance) && !hide;
         if (!nothing && !unseen_by_all(plan, scene, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS))
             plan->light[n++] = plan->light[i];
     }
@@ -196,174 +193,10 @@ void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
     for (size_t i = 0; i < plan->n_sources; i++) {
         const struct rl_source *source = &scene->source[plan->source[i]];
         const struct body body = {.at = source->at, .parallel = source->parallel};
-        if (dark(source->strength) || unseen_by_all(plan, scene, &body, RL_SEES_SOURCES))
+        if (rl_plan_dark(source->strength) || unseen_by_all(plan, scene, &body, RL_SEES_SOURCES))
             continue;
         plan->source[n++] = plan->source[i];
         plan->n_points += !source->parallel;
     }
     plan->n_sources = n;
-}
-
-/* ---- Reasons ---- */
-
-static int add(struct rl_plan *plan, struct rl_error *error, const char *kind, const char *name,
-               const char *reason, ...) __attribute__((format(printf, 5, 6)));
-
-static int add(struct rl_plan *plan, struct rl_error *error, const char *kind, const char *name,
-               const char *reason, ...)
-{
-    struct rl_plan_drop *more = realloc(plan->drop, (plan->n_drops + 1) * sizeof *more);
-    if (!more)
-        return rl_fail_memory(error, "a plan");
-    plan->drop = more;
-    struct rl_plan_drop *drop = &more[plan->n_drops++];
-    va_list values;
-    va_start(values, reason);
-    drop->kind = kind;
-    snprintf(drop->name, sizeof drop->name, "%s", name ? name : "?");
-    vsnprintf(drop->reason, sizeof drop->reason, reason, values);
-    va_end(values);
-    return RL_OK;
-}
-
-static bool kept(const size_t *list, size_t n, size_t i)
-{
-    for (size_t k = 0; k < n; k++)
-        if (list[k] == i)
-            return true;
-    return false;
-}
-
-static int list_objects(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
-{
-    int status = RL_OK;
-    for (size_t i = 0; i < scene->n_objects && status == RL_OK; i++) {
-        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        const char *name = scene->object[i].name;
-        if (!plan->object[i].drawn)
-            status = add(plan, error, "object", name, "%s",
-                         plan->shadows ? "outside the view; its shadow is not" : "outside the view");
-        else if (m->method && !m->method->shade && !plan->object[i].highlit)
-            status =
-                add(plan, error, "highlight of object", name, "every shaped light is behind its surface");
-    }
-    for (size_t i = 0; i < scene->n_materials && status == RL_OK; i++) {
-        size_t worn = 0, drawn = 0;
-        for (size_t k = 0; k < scene->n_objects; k++) {
-            worn += scene->object[k].material == (int)i;
-            drawn += scene->object[k].material == (int)i && plan->object[k].drawn;
-        }
-        if (drawn == 0 && plan->settings.drop)
-            status = add(plan, error, "material", scene->material[i].name, "%s",
-                         worn ? "every object that wears it is outside the view" : "no object wears it");
-    }
-    return status;
-}
-
-/* Why a light was dropped; what sees such lights is asked of the scene, for the plan's materials have lost sight of them. */
-static const char *why_light(const struct rl_plan *plan, const struct rl_scene *scene, unsigned sees)
-{
-    for (size_t i = 0; i < plan->n_materials; i++) {
-        const struct rl_material *m = &scene->material[plan->material[i].material];
-        if (sees & RL_SEES_CENTROIDS && m->method && !dark(m->specular) && !rl_plan_zero_factor(m))
-            return "behind every surface that has a use for it";
-        for (size_t row = 0; row < rl_n_effects; row++)
-            if (rl_effects[row]->sees & sees && rl_effect_wanted(m, rl_effects[row]))
-                return "behind every surface that has a use for it";
-    }
-    return "no effect or highlight sees such lights";
-}
-
-static int list_lights(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
-{
-    int status = RL_OK;
-    /* A dark one may hide another, and is dropped where it does not. */
-    const char *shaped = why_light(plan, scene, RL_SEES_CENTROIDS | RL_SEES_POLYGONS);
-    const char *source = why_light(plan, scene, RL_SEES_SOURCES);
-    for (size_t i = 0; i < scene->n_lights && status == RL_OK; i++)
-        if (!kept(plan->light, plan->n_lights, i))
-            status = add(plan, error, "light", scene->light[i].name, "%s",
-                         dark(scene->light[i].radiance) ? "its radiance is 0" : shaped);
-    for (size_t i = 0; i < scene->n_sources && status == RL_OK; i++)
-        if (!kept(plan->source, plan->n_sources, i))
-            status = add(plan, error, "light", scene->source[i].name, "%s",
-                         dark(scene->source[i].strength) ? "its strength is 0" : source);
-    return status;
-}
-
-static bool all_dark(const struct rl_scene *scene)
-{
-    for (size_t i = 0; i < scene->n_lights; i++)
-        if (!dark(scene->light[i].radiance))
-            return false;
-    return true;
-}
-
-static int list_effects(struct rl_plan *plan, const struct rl_scene *scene, const struct rl_plan_material *m,
-                        struct rl_error *error)
-{
-    const struct rl_material *material = &scene->material[m->material];
-    int status = RL_OK;
-    for (size_t row = 0; row < rl_n_effects && status == RL_OK; row++) {
-        bool planned = false;
-        for (size_t i = 0; i < m->n_effects; i++)
-            planned = planned || m->effect[i] == rl_effects[row];
-        if (planned || !rl_effect_given(material, rl_effects[row]))
-            continue;
-        status = add(plan, error, "effect", rl_effects[row]->name, "material %s: %s", material->name,
-                     !rl_effect_wanted(material, rl_effects[row]) ? "its coefficients are 0"
-                     : rl_effects[row]->factor                    ? "no highlight to be a factor of"
-                                                                  : "no light for it");
-    }
-    if (status != RL_OK || !material->method || m->method)
-        return status;
-    const struct rl_effect *zero = rl_plan_zero_factor(material);
-    char reason[80];
-    snprintf(reason, sizeof reason, "its factor %.60s is 0", zero ? zero->name : "");
-    return add(plan, error, "highlight", material->method, "material %s: %s", material->name,
-               dark(material->specular) ? "specular is 0"
-               : zero                   ? reason
-               : !scene->n_lights       ? "no shaped light"
-               : all_dark(scene)        ? "the radiance of every shaped light is 0"
-                                        : "every shaped light is behind what wears it");
-}
-
-/* An object never hides a light from itself. */
-const char *rl_plan_no_shadows(const struct rl_plan *plan, const struct rl_scene *scene)
-{
-    bool lit = plan->sees != 0;
-    for (size_t i = 0; i < plan->n_materials; i++)
-        lit = lit || plan->material[i].method;
-    if (scene->n_objects < 2)
-        return "a single object, which hides nothing from itself";
-    return lit ? NULL : "no light that could be hidden";
-}
-
-/* Settings that were asked for and find nothing to act on. */
-static int list_settings(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
-{
-    const struct rl_settings *s = &plan->settings;
-    bool own_pass = false, sphere = false;
-    for (size_t i = 0; i < plan->n_materials; i++) {
-        own_pass = own_pass || plan->material[i].highlight_program >= 0;
-        sphere = sphere || plan->material[i].sphere_program >= 0;
-    }
-    int status = RL_OK;
-    if (s->margin_kind != RL_MARGIN_OFF && !sphere)
-        status = add(plan, error, "effect", "sphere", "%s",
-                     own_pass ? "no sphere is large enough for so rough a surface"
-                              : "no highlight that has a pass of its own");
-    if (status == RL_OK && s->shadows && !plan->shadows)
-        status = add(plan, error, "effect", "shadows", "%s", rl_plan_no_shadows(plan, scene));
-    return status;
-}
-
-int rl_plan_list_drops(struct rl_plan *plan, const struct rl_scene *scene, struct rl_error *error)
-{
-    int status = list_objects(plan, scene, error);
-    if (status == RL_OK)
-        status = list_lights(plan, scene, error);
-    for (size_t i = 0; i < plan->n_materials && status == RL_OK; i++)
-        status = list_effects(plan, scene, &plan->material[i], error);
-    return status == RL_OK ? list_settings(plan, scene, error) : status;
 }
