@@ -5,7 +5,6 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/files.h"
@@ -24,20 +23,6 @@ int rl_argument_output(const struct rl_arguments *arguments, enum rl_output *for
     return RL_OK;
 }
 
-static void json_text(const char *text)
-{
-    putchar('"');
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-        if (*c == '"' || *c == '\\')
-            printf("\\%c", *c);
-        else if (*c < 0x20)
-            printf("\\u%04x", *c);
-        else
-            putchar(*c);
-    }
-    putchar('"');
-}
-
 void rl_rows_begin(struct rl_rows *rows, enum rl_output format, const char *const columns[])
 {
     *rows = (struct rl_rows){.format = format, .column = columns};
@@ -49,50 +34,43 @@ void rl_rows_begin(struct rl_rows *rows, enum rl_output format, const char *cons
         printf("%s%c", columns[i], i + 1 < rows->n_columns ? '\t' : '\n');
 }
 
-/* What stands before a value. */
-static void begin_value(const struct rl_rows *rows)
+/* The row before stays open for what rl_rows_more adds. */
+static void begin_row(struct rl_rows *rows)
 {
-    if (rows->format == RL_OUTPUT_TSV) {
-        if (rows->next > 0)
-            putchar('\t');
-        return;
-    }
-    if (rows->next == 0)
-        printf("%s\n  {", rows->n_rows ? "," : "");
-    else
-        printf(", ");
-    json_text(rows->column[rows->next]);
-    printf(": ");
+    if (rows->n_rows > 0)
+        rl_json_close(&rows->json, '}');
+    printf("%s\n  ", rows->n_rows > 0 ? "," : "");
+    rows->json = (struct rl_json){0};
+    rl_json_open(&rows->json, NULL, '{');
+}
+
+/* What stands before a value; the key of JSON, whose values follow it. */
+static const char *begin_value(struct rl_rows *rows)
+{
+    if (rows->format == RL_OUTPUT_TSV && rows->next > 0)
+        putchar('\t');
+    if (rows->format == RL_OUTPUT_JSON && rows->next == 0)
+        begin_row(rows);
+    return rows->column[rows->next];
 }
 
 static void end_value(struct rl_rows *rows)
 {
     if (++rows->next < rows->n_columns)
         return;
-    printf(rows->format == RL_OUTPUT_TSV ? "\n" : "}");
+    if (rows->format == RL_OUTPUT_TSV)
+        putchar('\n');
     rows->next = 0;
     rows->n_rows++;
 }
 
-/* The fewest of 15, 16 or 17 digits that read back as the same number. */
-static void print_number(double value)
-{
-    char text[32];
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, value);
-        if (strtod(text, NULL) == value)
-            break;
-    }
-    fputs(text, stdout);
-}
-
 void rl_rows_number(struct rl_rows *rows, double value)
 {
-    begin_value(rows);
-    if (isfinite(value))
-        print_number(value);
-    else if (rows->format == RL_OUTPUT_JSON)
-        printf("null");
+    const char *key = begin_value(rows);
+    if (rows->format == RL_OUTPUT_JSON)
+        rl_json_number(&rows->json, key, value);
+    else if (isfinite(value))
+        rl_print_number(value);
     else
         printf("%s", isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf");
     end_value(rows);
@@ -100,26 +78,37 @@ void rl_rows_number(struct rl_rows *rows, double value)
 
 void rl_rows_integer(struct rl_rows *rows, long long value)
 {
-    begin_value(rows);
-    printf("%lld", value);
+    const char *key = begin_value(rows);
+    if (rows->format == RL_OUTPUT_JSON)
+        rl_json_integer(&rows->json, key, value);
+    else
+        printf("%lld", value);
     end_value(rows);
 }
 
 void rl_rows_text(struct rl_rows *rows, const char *value)
 {
-    begin_value(rows);
+    const char *key = begin_value(rows);
     if (rows->format == RL_OUTPUT_JSON)
-        json_text(value);
+        rl_json_text(&rows->json, key, value);
     else /* a tab or line end inside a value would shift the columns */
         for (; *value; value++)
             putchar(*value == '\t' || *value == '\n' || *value == '\r' ? ' ' : *value);
     end_value(rows);
 }
 
+struct rl_json *rl_rows_more(struct rl_rows *rows)
+{
+    return rows->format == RL_OUTPUT_JSON ? &rows->json : NULL;
+}
+
 void rl_rows_end(struct rl_rows *rows)
 {
-    if (rows->format == RL_OUTPUT_JSON)
-        printf("%s]\n", rows->n_rows ? "\n" : "");
+    if (rows->format != RL_OUTPUT_JSON)
+        return;
+    if (rows->n_rows > 0)
+        rl_json_close(&rows->json, '}');
+    printf("%s]\n", rows->n_rows ? "\n" : "");
 }
 
 int rl_output_file_check(const char *path, struct rl_error *error)

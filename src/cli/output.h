@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/json.h"
 
 enum rl_output { RL_OUTPUT_TSV, RL_OUTPUT_JSON };
 
@@ -24,6 +25,7 @@ struct rl_rows {
     enum rl_output format;
     const char *const *column;
     size_t n_columns, next, n_rows;
+    struct rl_json json; /* of the last row, which is open until the next begins */
 };
 
 /* --format tsv|json; tsv if absent. */
@@ -35,6 +37,9 @@ void rl_rows_number(struct rl_rows *rows, double value);
 void rl_rows_integer(struct rl_rows *rows, long long value);
 void rl_rows_text(struct rl_rows *rows, const char *value);
 void rl_rows_end(struct rl_rows *rows);
+
+/* After a row's last column: to add to that row what has no column, keys of its own. NULL in TSV, which has columns alone. */
+struct rl_json *rl_rows_more(struct rl_rows *rows);
 
 /* RL_ERR_SYSTEM if anything printed on stdout so far was lost (a full disk, a closed pipe). */
 int rl_output_check(struct rl_error *error);

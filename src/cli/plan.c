@@ -3,15 +3,16 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "cli/output.h"
+#include "cli/plan_rows.h"
 #include "cli/render_options.h"
-#include "scene/plan.h"
+#include "scene/plan_sizes.h"
 
-static void row(struct rl_rows *rows, const char *kind, const char *name, const char *detail)
+struct rl_json *rl_plan_row(struct rl_plan_rows *p, const char *kind, const char *name, const char *detail)
 {
-    rl_rows_text(rows, kind);
-    rl_rows_text(rows, name);
-    rl_rows_text(rows, detail);
+    rl_rows_text(&p->rows, kind);
+    rl_rows_text(&p->rows, name);
+    rl_rows_text(&p->rows, detail);
+    return rl_rows_more(&p->rows);
 }
 
 /* Where the effects of a material are evaluated, unless that is each pixel. */
@@ -21,201 +22,210 @@ static const char *const evaluated[RL_INTERPOLATIONS] = {
     [RL_INTERPOLATION_CONSTANT] = ", constant: once a triangle",
 };
 
-static void effect_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+static void material_rows(struct rl_plan_rows *p, const struct rl_plan_material *m)
 {
     char detail[512];
-    for (size_t i = 0; i < plan->n_materials; i++) {
-        const struct rl_plan_material *m = &plan->material[i];
-        const char *name = scene->material[m->material].name;
-        for (size_t j = 0; j < m->n_effects; j++) {
-            snprintf(detail, sizeof detail, "material %s%s", name,
-                     m->effect[j]->sees ? evaluated[m->interpolation] : "");
-            row(rows, "effect", m->effect[j]->name, detail);
-        }
-        snprintf(detail, sizeof detail, "material %s", name);
-        if (!m->method)
-            continue;
-        size_t used = strlen(detail);
-        if (m->method->sampled)
-            snprintf(detail + used, sizeof detail - used, ", R_r %g, %d samples", m->rr, m->samples);
-        else
-            snprintf(detail + used, sizeof detail - used, ", R_r %g", m->rr);
-        row(rows, "highlight", m->method->name, detail);
+    const char *name = p->scene->material[m->material].name;
+    for (size_t j = 0; j < m->n_effects; j++) {
+        bool lit = m->effect[j]->sees;
+        snprintf(detail, sizeof detail, "material %s%s", name, lit ? evaluated[m->interpolation] : "");
+        struct rl_json *json = rl_plan_row(p, "effect", m->effect[j]->name, detail);
+        rl_json_text(json, "material", name);
+        rl_json_text(json, "interpolation", lit ? rl_interpolation_name(m->interpolation) : NULL);
     }
+    if (!m->method)
+        return;
+    size_t used = (size_t)snprintf(detail, sizeof detail, "material %s", name);
+    if (m->method->sampled)
+        snprintf(detail + used, sizeof detail - used, ", R_r %g, %d samples", m->rr, m->samples);
+    else
+        snprintf(detail + used, sizeof detail - used, ", R_r %g", m->rr);
+    struct rl_json *json = rl_plan_row(p, "highlight", m->method->name, detail);
+    rl_json_text(json, "material", name);
+    rl_json_number(json, "rr", m->rr);
+    if (m->method->sampled)
+        rl_json_integer(json, "samples", m->samples);
+    else
+        rl_json_text(json, "samples", NULL);
+}
+
+static void effect_rows(struct rl_plan_rows *p)
+{
+    for (size_t i = 0; i < p->plan->n_materials; i++)
+        material_rows(p, &p->plan->material[i]);
+    if (!p->plan->shadows)
+        return;
+    struct rl_json *json =
+        rl_plan_row(p, "effect", "shadows",
+                    "of every effect and highlight: lights hidden by other objects, seen or not; rays in "
+                    "double precision, lines cut at silhouettes");
+    rl_json_text(json, "material", NULL);
+    rl_json_text(json, "interpolation", NULL);
 }
 
 /* The bounding spheres' size, and what it is chosen for. */
-static void sphere_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+static void sphere_rows(struct rl_plan_rows *p)
 {
-    const struct rl_settings *s = &plan->settings;
+    const struct rl_settings *s = &p->plan->settings;
     char name[128], detail[192], bound[128] = "";
-    if (s->margin_kind == RL_MARGIN_AUTO)
+    bool is_auto = s->margin_kind == RL_MARGIN_AUTO;
+    if (is_auto)
         snprintf(bound, sizeof bound, "; auto: no pixel loses more than %g of the brightest light's radiance",
                  s->margin_bound);
-    for (size_t i = 0; i < plan->n_materials; i++) {
-        const struct rl_plan_material *m = &plan->material[i];
+    for (size_t i = 0; i < p->plan->n_materials; i++) {
+        const struct rl_plan_material *m = &p->plan->material[i];
         if (m->sphere_program < 0)
             continue;
-        snprintf(name, sizeof name, "material %s", scene->material[m->material].name);
+        snprintf(name, sizeof name, "material %s", p->scene->material[m->material].name);
         snprintf(detail, sizeof detail, "margin %.4g%s", m->margin, bound);
-        row(rows, "sphere", name, detail);
+        struct rl_json *json = rl_plan_row(p, "sphere", name, detail);
+        rl_json_text(json, "material", p->scene->material[m->material].name);
+        rl_json_number(json, "margin", m->margin);
+        if (is_auto)
+            rl_json_number(json, "bound", s->margin_bound);
+        else
+            rl_json_text(json, "bound", NULL);
     }
 }
 
-/* The other objects that have the environment map of this one. */
-static void add_map_sharers(char detail[], size_t size, const struct rl_scene *scene,
-                            const struct rl_plan *plan, size_t object)
-{
-    size_t used = strlen(detail);
-    bool shared = false;
-    for (size_t i = object + 1; i < scene->n_objects && used < size; i++)
-        if (plan->environment[i] == plan->environment[object]) {
-            used += (size_t)snprintf(detail + used, size - used, "%s %s", shared ? "," : "; shared by",
-                                     scene->object[i].name);
-            shared = true;
-        }
-    if (shared && used < size)
-        snprintf(detail + used, size - used, ": one centre");
-}
-
-/* Which parts of an object's mesh are another's. */
-static void add_mesh_sharing(char detail[], size_t size, const struct rl_scene *scene,
-                             const struct rl_plan *plan, size_t object)
-{
-    static const char *const names[RL_MESH_PARTS] = {"triangles", "normals", "positions"};
-    size_t used = strlen(detail);
-    bool shared = false;
-    for (int part = 0; part < RL_MESH_PARTS && used < size; part++) {
-        size_t from = plan->object[object].mesh_from[part];
-        if (from == object)
-            continue;
-        used += (size_t)snprintf(detail + used, size - used, "%s %s of %s",
-                                 shared ? "," : "; shared:", names[part], scene->object[from].name);
-        shared = true;
-    }
-    if (shared && used < size)
-        snprintf(detail + used, size - used, ", the same byte for byte");
-}
-
-static void texture_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
-{
-    char name[64];
-    char detail[512];
-    char bits[16];
-    const struct rl_settings *s = &plan->settings;
-    rl_normal_bits_name(bits, s->normal_bits);
-    for (size_t i = 0; i < plan->n_normal_maps; i++) {
-        snprintf(name, sizeof name, "normal map %zu", i);
-        snprintf(detail, sizeof detail, "%dx%d, %s bits a component, R_r %g, seed %llu; baked on the CPU",
-                 s->normal_size, s->normal_size, bits, plan->normal_map[i].rr, (unsigned long long)s->seed);
-        row(rows, "texture", name, detail);
-    }
-    int n_maps = 0;
-    for (size_t i = 0; i < scene->n_objects; i++) {
-        if (plan->environment[i] != n_maps)
-            continue;
-        snprintf(name, sizeof name, "environment map %d", n_maps++);
-        snprintf(detail, sizeof detail, "6x%dx%d %s, seen from object %s", s->env_size, s->env_size,
-                 plan->on_cpu ? "exact radiance" : rl_texel_format_name(s->env_format),
-                 scene->object[i].name);
-        add_map_sharers(detail, sizeof detail, scene, plan, i);
-        row(rows, "texture", name, detail);
-    }
-    for (size_t i = 0; i < plan->n_patterns; i++) {
-        snprintf(name, sizeof name, "pattern %zu", i);
-        snprintf(detail, sizeof detail, "%d normals, R_r %g", plan->pattern[i].samples, plan->pattern[i].rr);
-        row(rows, "buffer", name, detail);
-    }
-}
-
-/* Meshes, and the lights for those who read them. */
-static void buffer_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
-{
-    char name[128];
-    char detail[512];
-    for (size_t i = 0; i < scene->n_objects && !plan->on_cpu; i++) {
-        const struct rl_mesh *mesh = &scene->object[i].mesh;
-        if (!plan->object[i].drawn)
-            continue;
-        snprintf(name, sizeof name, "mesh of %s", scene->object[i].name);
-        snprintf(detail, sizeof detail, "%zu vertices, %zu triangles", mesh->n_vertices, mesh->n_triangles);
-        add_mesh_sharing(detail, sizeof detail, scene, plan, i);
-        row(rows, "buffer", name, detail);
-    }
-    for (int i = 0; i < RL_BUFFERS; i++) {
-        if (!rl_plan_needs(plan, (enum rl_plan_buffer)i))
-            continue;
-        size_t n = i == RL_BUFFER_SOURCES ? plan->n_sources : plan->n_lights;
-        snprintf(detail, sizeof detail, "of %zu light%s", n, n == 1 ? "" : "s");
-        row(rows, "buffer", rl_plan_buffer_name((enum rl_plan_buffer)i), detail);
-    }
-}
-
-/* What decides which surface a pixel shows. */
-static void visibility_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan)
+static void culling_row(struct rl_plan_rows *p)
 {
     char detail[128];
-    const struct rl_settings *s = &plan->settings;
     size_t all = 0, back = 0;
-    for (size_t i = 0; i < scene->n_objects; i++)
-        if (plan->object[i].drawn) {
-            all += scene->object[i].mesh.n_triangles;
-            back += rl_mesh_back_faces(&scene->object[i].mesh, scene->camera.position);
+    for (size_t i = 0; i < p->scene->n_objects; i++)
+        if (p->plan->object[i].drawn) {
+            all += p->scene->object[i].mesh.n_triangles;
+            back += rl_mesh_back_faces(&p->scene->object[i].mesh, p->scene->camera.position);
         }
-    if (!plan->on_cpu) {
-        snprintf(detail, sizeof detail, "%dx%d rgba32f", s->width, s->height);
-        row(rows, "buffer", "colour", detail);
-        snprintf(detail, sizeof detail, "%d bits%s, %dx%d, from %g at %g to %g at %g", s->depth_bits,
-                 s->depth_bits == 32 ? ", float" : "", s->width, s->height, s->reversed_depth ? 1.0 : 0.0,
-                 scene->camera.near_plane, s->reversed_depth ? 0.0 : 1.0, scene->camera.far_plane);
-        row(rows, "buffer", "depth", detail);
-    }
-    if (plan->stencil)
-        row(rows, "buffer", "stencil", "8 bits, beside the depth, for the passes after the surface's");
-    if (!plan->on_cpu && plan->n_environments > 0) {
-        snprintf(detail, sizeof detail, "32 bits, float, %dx%d, one for all faces of all maps", s->env_size,
-                 s->env_size);
-        row(rows, "buffer", "environment depth", detail);
-    }
     snprintf(detail, sizeof detail, "%zu of %zu triangles are back faces", back, all);
-    if (s->culling)
-        row(rows, "culling", "back faces", detail);
+    if (!p->plan->settings.culling)
+        return;
+    struct rl_json *json = rl_plan_row(p, "culling", "back faces", detail);
+    rl_json_integer(json, "back_faces", (long long)back);
+    rl_json_integer(json, "triangles", (long long)all);
 }
+
+/* ---- Passes ---- */
 
 /* The objects whose material runs program `index` in its pass, as "objects a, b". */
-static void users(char detail[], size_t size, const struct rl_scene *scene, const struct rl_plan *plan,
-                  int index)
+static void users(char detail[], size_t size, const struct rl_plan_rows *p, size_t index)
 {
     size_t used = (size_t)snprintf(detail, size, "objects");
-    for (size_t i = 0; i < scene->n_objects && used < size; i++) {
-        const struct rl_plan_material *m = rl_plan_of_object(plan, scene, i);
-        if (!plan->object[i].drawn)
+    for (size_t i = 0; i < p->scene->n_objects && used < size; i++)
+        if (rl_plan_runs(p->plan, p->scene, index, i))
+            used += (size_t)snprintf(detail + used, size - used, " %s", p->scene->object[i].name);
+}
+
+static void add_pass(struct rl_json *json, const struct rl_plan_rows *p, size_t index)
+{
+    const struct rl_plan_program *program = &p->plan->program[index];
+    rl_json_text(json, "pass", program->pass);
+    rl_json_integer(json, "program", (long long)index);
+    rl_json_integer(json, "draws", (long long)rl_plan_draws(p->plan, p->scene, index));
+    rl_json_text(json, "each", (int)index == p->plan->environment_program ? "scene" : "frame");
+    if (program->samples > 0)
+        rl_json_integer(json, "samples", program->samples);
+    else
+        rl_json_text(json, "samples", NULL);
+    rl_json_open(json, "objects", '[');
+    for (size_t i = 0; i < p->scene->n_objects; i++)
+        if (rl_plan_runs(p->plan, p->scene, index, i))
+            rl_json_text(json, NULL, p->scene->object[i].name);
+    rl_json_close(json, ']');
+}
+
+static void program_rows(struct rl_plan_rows *p, const char *pass)
+{
+    char name[64], detail[1024];
+    for (size_t i = 0; i < p->plan->n_programs; i++) {
+        const struct rl_plan_program *program = &p->plan->program[i];
+        if (strcmp(program->pass, pass) != 0)
             continue;
-        bool environment = index == plan->environment_program && plan->environment[i] >= 0;
-        bool highlight =
-            plan->object[i].highlit && (m->highlight_program == index || m->sphere_program == index);
-        if (environment || highlight || m->surface_program == index)
-            used += (size_t)snprintf(detail + used, size - used, " %s", scene->object[i].name);
+        snprintf(name, sizeof name, "%s, program %zu", program->pass, i);
+        users(detail, sizeof detail, p, i);
+        add_pass(rl_plan_row(p, "pass", name, detail), p, i);
+        for (size_t j = 0; j < program->n_modules; j++) {
+            bool vertex = j < program->n_vertex;
+            snprintf(detail, sizeof detail, "program %zu%s", i, vertex ? ", vertex shader" : "");
+            struct rl_json *json = rl_plan_row(p, "module", program->module[j], detail);
+            rl_json_integer(json, "program", (long long)i);
+            rl_json_text(json, "stage", vertex ? "vertex" : "fragment");
+        }
     }
 }
 
-static void program_rows(struct rl_rows *rows, const struct rl_scene *scene, const struct rl_plan *plan,
-                         const char *pass)
+/* On the CPU there is one, without programs and draws. */
+static void cpu_row(struct rl_plan_rows *p)
 {
-    char name[64];
-    char detail[1024];
-    for (size_t i = 0; i < plan->n_programs; i++) {
-        const struct rl_plan_program *p = &plan->program[i];
-        if (strcmp(p->pass, pass) != 0)
-            continue;
-        snprintf(name, sizeof name, "%s, program %zu", p->pass, i);
-        users(detail, sizeof detail, scene, plan, (int)i);
-        row(rows, "pass", name, detail);
-        for (size_t j = 0; j < p->n_modules; j++) {
-            snprintf(detail, sizeof detail, "program %zu%s", i, j < p->n_vertex ? ", vertex shader" : "");
-            row(rows, "module", p->module[j], detail);
-        }
+    struct rl_json *json = rl_plan_row(
+        p, "pass", "cpu",
+        "Embree finds each pixel's point; effects and highlight are evaluated in double precision");
+    rl_json_text(json, "pass", "cpu");
+    rl_json_text(json, "program", NULL);
+    rl_json_text(json, "draws", NULL);
+    rl_json_text(json, "each", "frame");
+    rl_json_text(json, "samples", NULL);
+    rl_json_open(json, "objects", '[');
+    for (size_t i = 0; i < p->scene->n_objects; i++)
+        if (p->plan->object[i].drawn)
+            rl_json_text(json, NULL, p->scene->object[i].name);
+    rl_json_close(json, ']');
+}
+
+static void pass_rows(struct rl_plan_rows *p)
+{
+    static const char *const passes[] = {"environment", "surface", "sphere", "highlight"};
+    if (p->plan->on_cpu)
+        cpu_row(p);
+    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
+        program_rows(p, passes[i]);
+}
+
+/* ---- What is left out ---- */
+
+/* The method of the highlight that is left out; NULL: it is no highlight. */
+static const struct rl_method *dropped_method(const struct rl_plan_rows *p, const struct rl_plan_drop *drop)
+{
+    const char *asked = p->plan->settings.method;
+    if (strncmp(drop->kind, "highlight", strlen("highlight")) != 0)
+        return NULL;
+    return rl_method_find(asked ? asked : p->scene->material[drop->material].method);
+}
+
+static void drop_rows(struct rl_plan_rows *p)
+{
+    char name[96];
+    for (size_t i = 0; i < p->plan->n_drops; i++) {
+        const struct rl_plan_drop *drop = &p->plan->drop[i];
+        const struct rl_method *method = dropped_method(p, drop);
+        snprintf(name, sizeof name, "%s %s", drop->kind, drop->name);
+        struct rl_json *json = rl_plan_row(p, "dropped", name, drop->reason);
+        rl_json_text(json, "dropped", method ? "highlight" : drop->kind);
+        rl_json_text(json, "dropped_name", method ? method->name : drop->name);
+        rl_json_text(json, "material", drop->material < 0 ? NULL : p->scene->material[drop->material].name);
+        rl_json_text(json, "object", drop->object < 0 ? NULL : p->scene->object[drop->object].name);
+        rl_json_text(json, "reason", rl_plan_reason_code(drop->why));
+        if (method)
+            rl_json_boolean(json, "environment_map", method->needs_environment);
     }
+}
+
+/* ---- The whole ---- */
+
+static int print_rows(struct rl_plan_rows *p, enum rl_output format, struct rl_error *error)
+{
+    rl_rows_begin(&p->rows, format, (const char *const[]){"kind", "name", "detail", NULL});
+    effect_rows(p);
+    sphere_rows(p);
+    rl_plan_texture_rows(p);
+    int status = rl_plan_buffer_rows(p, error);
+    if (status != RL_OK)
+        return status;
+    culling_row(p);
+    pass_rows(p);
+    drop_rows(p);
+    rl_rows_end(&p->rows);
+    return RL_OK;
 }
 
 static int print(struct rl_scene *scene, const struct rl_arguments *a, struct rl_error *error)
@@ -234,31 +244,10 @@ static int print(struct rl_scene *scene, const struct rl_arguments *a, struct rl
         status = rl_plan_make(&plan, scene, &settings, error);
     if (status != RL_OK)
         return status;
-    struct rl_rows rows;
-    rl_rows_begin(&rows, format, (const char *const[]){"kind", "name", "detail", NULL});
-    effect_rows(&rows, scene, &plan);
-    if (plan.shadows)
-        row(&rows, "effect", "shadows",
-            "of every effect and highlight: lights hidden by other objects, seen or not; rays in double "
-            "precision, lines cut at silhouettes");
-    sphere_rows(&rows, scene, &plan);
-    texture_rows(&rows, scene, &plan);
-    buffer_rows(&rows, scene, &plan);
-    visibility_rows(&rows, scene, &plan);
-    if (plan.on_cpu)
-        row(&rows, "pass", "cpu",
-            "Embree finds each pixel's point; effects and highlight are evaluated in double precision");
-    static const char *const passes[] = {"environment", "surface", "sphere", "highlight"};
-    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
-        program_rows(&rows, scene, &plan, passes[i]);
-    for (size_t i = 0; i < plan.n_drops; i++) {
-        char name[96];
-        snprintf(name, sizeof name, "%s %s", plan.drop[i].kind, plan.drop[i].name);
-        row(&rows, "dropped", name, plan.drop[i].reason);
-    }
-    rl_rows_end(&rows);
+    struct rl_plan_rows rows = {.scene = scene, .plan = &plan};
+    status = print_rows(&rows, format, error);
     rl_plan_clear(&plan);
-    return RL_OK;
+    return status;
 }
 
 static int run(const struct rl_arguments *a, struct rl_error *error)
