@@ -5,7 +5,11 @@
  *     W(beta) = k_s + g (1 - k_s) (1 - cos beta)^5,       cos(beta) = L.H = |L + V|/2
  *
  * times the irradiance perpendicular to L; W as in phong.c, but of the angle at which the facet is hit. The radiance is the same with
- * light and eye exchanged. With 4n it is about as narrow as Phong's with n, for delta is half of gamma near the mirror direction. */
+ * light and eye exchanged. With 4n it is about as narrow as Phong's with n, for delta is half of gamma near the mirror direction.
+ *
+ * It jumps at both horizons. As N.V falls to 0 it goes to W(beta) (N.L/(2 L.H))^n, which is not 0; at N.V = 0 and below, where an
+ * interpolated normal may be though the surface is seen, it is 0: nothing of such a surface is seen. The same of N.L,
+ * for the lobe is a radiance and does not fade at the terminator. */
 #include "effects/highlight.h"
 #include "model/half.h"
 

@@ -9,7 +9,11 @@
  * F (src/model/fresnel.h) depends on the wavelength by n and k for each of R, G and B; or by the reflectance at normal incidence, from
  * which follows n with k = 0, as the paper does. D is Beckmann's or the ellipsoid's (src/model/facets.h). G is that of V-shaped grooves
  * (src/model/attenuation.h), which never hides more than it must: all of it together reflects less than it receives, whatever m, and is
- * the same with light and eye exchanged. Highlight of the paper only: its diffuse part is the effect `diffuse`. */
+ * the same with light and eye exchanged. Highlight of the paper only: its diffuse part is the effect `diffuse`.
+ *
+ * It jumps at the eye's horizon. As N.V falls to 0 masking does, too, G/(4 N.V) = (N.H)/(2 V.H), and N.H = N.L/(2 V.H): the limit from above
+ * is finite, F(beta) D(delta) N.L/(4 (V.H)^2), and not 0. At N.V = 0 and below, where an interpolated normal may be though the surface is
+ * seen, nothing is. At the light's horizon there is no jump: shadowing takes it to 0 with N.L. */
 #include <float.h>
 
 #include "effects/highlight.h"
