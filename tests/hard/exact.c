@@ -3,6 +3,7 @@
  *     build/tests/hard/exact tests/hard/frame.tsv ...           each file anew, in place
  *     build/tests/hard/exact --check tests/hard/frame.tsv ...   exit 1 where that would change one
  *     build/tests/hard/exact [--check] --maps tests/hard/maps   the same of all maps (exact_map.c)
+ *     build/tests/hard/exact --random tests/hard/frame.tsv N SEED    N random rows of that function to stdout (exact_random.c)
  *
  * A file: lines of comment (#), a header, rows. An author writes the arguments and why the row is hard, the last column; what stands
  * between them is made here, four columns for each result:
@@ -18,6 +19,7 @@
  * Numerical Algorithms, section 1.5, calls that mixed stability).
  */
 #include "exact.h"
+#include "exact_random.h"
 
 #include <errno.h>
 #include <float.h>
@@ -151,16 +153,21 @@ bool exact_answer_make(struct exact_answer *a, const struct exact_function *f, c
     return true;
 }
 
-static void print_answers(FILE *to, const struct exact_function *f, const double *row)
+/* False: one of them is past the largest number. */
+static bool print_answers(FILE *to, const struct exact_function *f, const double *row)
 {
+    bool finite = true;
     struct exact_answer a;
     exact_answer_init(&a, f);
     if (!exact_answer_make(&a, f, row))
         stop("an answer that is not finite", "arguments within the function's range");
     for (size_t k = 0; k < f->n_out; k++)
-        for (int p = 0; p < 2; p++)
+        for (int p = 0; p < 2; p++) {
+            finite = finite && isfinite(mpfr_get_d(a.out[p][k], MPFR_RNDN)) && isfinite(a.bound[p][k]);
             mpfr_fprintf(to, "%.*Re\t%.3g\t", DIGITS - 1, a.out[p][k], a.bound[p][k]);
+        }
     exact_answer_clear(&a, f);
+    return finite;
 }
 
 /* ---- Files ---- */
@@ -200,9 +207,8 @@ static void write_header(FILE *to, const struct exact_function *f, char *field[]
     fputs("why\n", to);
 }
 
-static void write_row(FILE *to, const struct exact_function *f, char *field[], size_t n)
+static void read_row(double row[], const struct exact_function *f, char *field[], size_t n)
 {
-    double row[EXACT_IN_MAX] = {0.0};
     if (n != f->n_in + 1 && n != f->n_in + 4 * f->n_out + 1)
         stop("another number of columns", "the arguments and why, or these and the answers between them");
     for (size_t i = 0; i < f->n_in; i++) {
@@ -210,11 +216,19 @@ static void write_row(FILE *to, const struct exact_function *f, char *field[], s
         row[i] = strcmp(field[i], "-") == 0 ? NAN : strtod(field[i], &end);
         if (!isnan(row[i]) && (end == field[i] || *end != '\0' || isinf(row[i])))
             stop(field[i], "a finite number, or - for an argument that is left out");
-        fprintf(to, "%s\t", field[i]);
     }
     if (field[n - 1][0] == '\0')
         stop("nothing", "why the row is hard");
-    print_answers(to, f, row);
+}
+
+static void write_row(FILE *to, const struct exact_function *f, char *field[], size_t n)
+{
+    double row[EXACT_IN_MAX] = {0.0};
+    read_row(row, f, field, n);
+    for (size_t i = 0; i < f->n_in; i++)
+        fprintf(to, "%s\t", field[i]);
+    if (!print_answers(to, f, row))
+        stop("an answer past the largest number", "arguments whose answers double precision has");
     fprintf(to, "%s\n", field[n - 1]);
 }
 
@@ -247,6 +261,74 @@ static char *rewrite(FILE *from, size_t *size)
         stop("no memory", "some");
     return made;
 }
+
+/* ---- Random rows ---- */
+
+/* All of a file's arguments. */
+static double *read_rows(FILE *from, const struct exact_function *f, size_t *n_rows)
+{
+    double *rows = NULL;
+    char *line = NULL, *field[FIELDS_MAX];
+    size_t room = 0, n_lines = 0;
+    for (line_number = 1; getline(&line, &room, from) >= 0; line_number++) {
+        if (line[0] == '#' || line[0] == '\n' || n_lines++ == 0)
+            continue;
+        rows = realloc(rows, n_lines * f->n_in * sizeof *rows);
+        if (!rows)
+            stop("no memory", "some");
+        read_row(rows + (n_lines - 2) * f->n_in, f, field, split(field, line));
+    }
+    if (n_lines < 2)
+        stop("no rows", "a header and rows");
+    *n_rows = n_lines - 1;
+    free(line);
+    return rows;
+}
+
+/* A row where everything is a number in double precision; `name` is its last column. */
+static bool write_random_row(FILE *to, const struct exact_function *f, const double *row, const char *name)
+{
+    for (size_t i = 0; i < f->n_in; i++)
+        isnan(row[i]) ? fputs("-\t", to) : fprintf(to, "%.17g\t", row[i]);
+    bool finite = print_answers(to, f, row);
+    fprintf(to, "%s\n", name);
+    return finite;
+}
+
+static void write_random(FILE *from, size_t n, uint64_t seed)
+{
+    const struct exact_function *f = find_function();
+    struct exact_draw draw = {.seed = seed};
+    size_t n_rows, made = 0;
+    char *line = NULL, *field[FIELDS_MAX];
+    size_t room = 0;
+    double *rows = read_rows(from, f, &n_rows), row[EXACT_IN_MAX];
+    rewind(from);
+    while (getline(&line, &room, from) >= 0 && (line[0] == '#' || line[0] == '\n'))
+        ;
+    split(field, line);
+    write_header(stdout, f, field);
+    while (made < n) {
+        char *text = NULL, name[64];
+        size_t size;
+        exact_random_row(row, &draw, f, rows, n_rows);
+        snprintf(name, sizeof name, "random row %zu of seed %llu", made + 1, (unsigned long long)seed);
+        FILE *to = open_memstream(&text, &size);
+        if (!to)
+            stop("no memory", "some");
+        bool finite = write_random_row(to, f, row, name);
+        if (fclose(to) != 0)
+            stop("no memory", "some");
+        if (finite)
+            fputs(text, stdout);
+        made += finite;
+        free(text);
+    }
+    free(rows);
+    free(line);
+}
+
+/* ---- The command ---- */
 
 static bool same_as(FILE *from, const char *made, size_t size)
 {
@@ -312,15 +394,25 @@ int main(int argc, char **argv)
 {
     bool check = argc > 1 && strcmp(argv[1], "--check") == 0;
     bool maps = argc > 1 + check && strcmp(argv[1 + check], "--maps") == 0;
+    bool random = argc == 5 && strcmp(argv[1], "--random") == 0;
     int status = 0, first = 1 + check + maps;
-    if (argc <= first) {
+    if (argc <= first || (!random && argv[first][0] == '-')) {
         fputs("usage: exact [--check] tests/hard/NAME.tsv...\n"
-              "       exact [--check] --maps tests/hard/maps\n",
+              "       exact [--check] --maps tests/hard/maps\n"
+              "       exact --random tests/hard/NAME.tsv N SEED\n",
               stderr);
         return 2;
     }
     mpfr_set_default_prec(EXACT_BITS);
-    for (int i = first; i < argc; i++) {
+    if (random) {
+        path = argv[2];
+        FILE *from = fopen(path, "r");
+        if (!from)
+            stop(strerror(errno), "a file");
+        write_random(from, strtoul(argv[3], NULL, 10), strtoull(argv[4], NULL, 10));
+        fclose(from);
+    }
+    for (int i = first; i < argc && !random; i++) {
         path = argv[i];
         line_number = 0;
         int failed = maps ? put_maps(argv[i], check) : put_file(check);
