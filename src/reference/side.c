@@ -4,72 +4,25 @@
  *
  *     sum over i of ((v_i - v_0) x (v_(i+1) - v_0)) . (v_0 - P)
  *
- * is added up in pairs of numbers whose sum counts, of some 104 bits: the difference of two numbers is such a pair exactly (Knuth,
- * The Art of Computer Programming 2, section 4.2.2, theorem B), and so is their product (Dekker 1971; by the fused multiply-add). As
- * Shewchuk, Adaptive Precision Floating-Point Arithmetic (1997), has it for the same determinant, orient3d.
+ * is added up in pairs of numbers (model/pair.h), as Shewchuk, Adaptive Precision Floating-Point Arithmetic (1997), has it for the same
+ * determinant, orient3d.
  */
 #include "reference/side.h"
 
 #include <float.h>
 
-/* high + low, |low| <= half a unit in the last place of high. */
-struct pair {
-    double high, low;
-};
+#include "model/pair.h"
 
-struct pair_vec3 {
-    struct pair x, y, z;
-};
-
-static struct pair sum_of(double a, double b)
+static struct rl_pair_vec3 difference(rl_vec3 a, rl_vec3 b, double scale)
 {
-    double s = a + b, of_b = s - a;
-    return (struct pair){s, (a - (s - of_b)) + (b - of_b)};
+    return (struct rl_pair_vec3){rl_pair_sum(scale * a.x, scale * -b.x),
+                                 rl_pair_sum(scale * a.y, scale * -b.y),
+                                 rl_pair_sum(scale * a.z, scale * -b.z)};
 }
 
-static struct pair add(struct pair a, struct pair b)
+static double length(struct rl_pair_vec3 a)
 {
-    struct pair s = sum_of(a.high, b.high), t = sum_of(a.low, b.low);
-    s = sum_of(s.high, s.low + t.high);
-    return sum_of(s.high, s.low + t.low);
-}
-
-static struct pair multiply(struct pair a, struct pair b)
-{
-    double product = a.high * b.high;
-    return sum_of(product, fma(a.high, b.high, -product) + (a.high * b.low + a.low * b.high));
-}
-
-static struct pair minus(struct pair a)
-{
-    return (struct pair){-a.high, -a.low};
-}
-
-static struct pair_vec3 difference(rl_vec3 a, rl_vec3 b, double scale)
-{
-    return (struct pair_vec3){sum_of(scale * a.x, scale * -b.x), sum_of(scale * a.y, scale * -b.y),
-                              sum_of(scale * a.z, scale * -b.z)};
-}
-
-static struct pair determinant(struct pair a, struct pair d, struct pair b, struct pair c)
-{
-    return add(multiply(a, d), minus(multiply(b, c)));
-}
-
-static struct pair_vec3 cross(const struct pair_vec3 *a, const struct pair_vec3 *b)
-{
-    return (struct pair_vec3){determinant(a->y, b->z, a->z, b->y), determinant(a->z, b->x, a->x, b->z),
-                              determinant(a->x, b->y, a->y, b->x)};
-}
-
-static double dot(const struct pair_vec3 *a, const struct pair_vec3 *b)
-{
-    return add(add(multiply(a->x, b->x), multiply(a->y, b->y)), multiply(a->z, b->z)).high;
-}
-
-static double length(const struct pair_vec3 *a)
-{
-    return v3_length(v3(a->x.high, a->y.high, a->z.high));
+    return v3_length(v3(a.x.high, a.y.high, a.z.high));
 }
 
 /* A power of two that brings a length to about 1, so that no product of three leaves the range. */
@@ -98,22 +51,19 @@ static double distance_in_pairs(const rl_vec3 *v, size_t n, rl_vec3 P)
     static const double units = 8.0 * DBL_EPSILON;
     rl_vec3 size = coordinates(v, n, P);
     double scale = scale_of(largest(size)), off = 0.0;
-    struct pair_vec3 normal = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+    struct rl_pair_vec3 normal = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     for (size_t i = 1; i + 1 < n; i++) {
-        struct pair_vec3 a = difference(v[i], v[0], scale), b = difference(v[i + 1], v[0], scale),
-                         c = cross(&a, &b);
-        normal = (struct pair_vec3){add(normal.x, c.x), add(normal.y, c.y), add(normal.z, c.z)};
+        struct rl_pair_vec3 a = difference(v[i], v[0], scale), b = difference(v[i + 1], v[0], scale),
+                            c = rl_pair_cross(a, b);
+        normal = rl_pair_vec3_add(normal, c);
     }
-    for (size_t i = 1; n > 3 && i < n; i++) {
-        struct pair_vec3 a = difference(v[i], v[0], scale);
-        off = fmax(off, fabs(dot(&normal, &a)));
-    }
-    struct pair_vec3 first = difference(v[0], P, scale);
-    double volume = dot(&normal, &first);
+    for (size_t i = 1; n > 3 && i < n; i++)
+        off = fmax(off, fabs(rl_pair_dot(normal, difference(v[i], v[0], scale)).high));
+    double volume = rl_pair_dot(normal, difference(v[0], P, scale)).high;
     double rounding =
         units * scale *
         (fabs(normal.x.high) * size.x + fabs(normal.y.high) * size.y + fabs(normal.z.high) * size.z);
-    return fabs(volume) > 2.0 * off + rounding ? volume / length(&normal) / scale : 0.0;
+    return fabs(volume) > 2.0 * off + rounding ? volume / length(normal) / scale : 0.0;
 }
 
 double rl_side_distance(const struct rl_light_set *set, const struct rl_set_polygon *polygon, rl_vec3 P)
