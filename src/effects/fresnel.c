@@ -7,10 +7,12 @@
  * surface and the farther from grazing, the nearer are the two; in return each method draws the same factor, and the highlight's error
  * grows by no more than it. */
 #include "effects/highlight.h"
+#include "model/pair.h"
 
 static void factor(const struct rl_surface *s, double params[][4], double rgb[3])
 {
-    double n_v = fmin(v3_dot(s->N, s->V), 1.0), sin_sin = v3_sin_sin(s->N, s->V, n_v);
+    struct rl_pair_vec3 N = rl_pair_vec3_of(s->N), V = rl_pair_vec3_of(s->V);
+    double n_v = rl_pair_cosine(N, V).high, sin_sin = rl_pair_sin_sin(N, V).high;
     /* From behind as at 90 degrees. */
     if (n_v < 0.0)
         n_v = 0.0, sin_sin = 1.0;
