@@ -20,7 +20,8 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     if (!(n_l > 0.0) || !(n_v > 0.0))
         return;
     struct rl_half h = rl_half_make(L, s->V);
-    double lobe = rl_power_of_cosine(v3_length(v3_cross(s->N, h.H)), v3_dot(s->N, h.H), params[0][3]);
+    double lobe =
+        h.cosine > 0.0 ? rl_power_of_cosine(rl_pair_cosine(rl_pair_vec3_of(s->N), h.H), params[0][3]) : 0.0;
     rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(h.cosine, h.sin_sin));
 }
 

@@ -38,9 +38,9 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     struct rl_half h = rl_half_make(L, s->V);
     if (!(h.cosine > 0.0))
         return;
-    rl_vec3 across = v3_cross(s->N, h.H);
     /* A sum of what is positive: N.H of a rounded H may be below 0 at grazing incidence. */
-    double n_h = fmin(1.0, 0.5 * (n_l + n_v) / h.cosine), sin_sin = v3_dot(across, across), m = params[0][3];
+    double n_h = fmin(1.0, 0.5 * (n_l + n_v) / h.cosine), m = params[0][3];
+    double sin_sin = rl_pair_sin_sin(rl_pair_vec3_of(s->N), h.H).high;
     double d =
         params[1][3] == 0.0 ? rl_facets_beckmann(n_h, sin_sin, m) : rl_facets_ellipsoid(n_h, sin_sin, m);
     /* G / (4 N.V), G = min(1, 2 (N.H) min(N.V, N.L)/(V.H)): quotients of what goes to 0 together, and no product of them. */

@@ -44,13 +44,13 @@ static inline void rl_fur_pack_colours(const double *value, bool monochrome, dou
     params[1][3] = 0.0;
 }
 
-/* factor (k_d diffuse + k_s lobe^p), the lobe by its cosine and sine */
+/* factor (k_d diffuse + k_s lobe^p) */
 static inline void rl_fur_sum(double rgb[3], double params[][4], double factor, double diffuse,
-                              struct rl_fur_angle specular)
+                              struct rl_pair lobe)
 {
-    double lobe = rl_power_of_cosine(specular.sine, specular.cosine, params[0][3]);
+    double specular = rl_power_of_cosine(lobe, params[0][3]);
     for (int c = 0; c < 3; c++)
-        rgb[c] = factor * (params[0][c] * diffuse + params[1][c] * lobe);
+        rgb[c] = factor * (params[0][c] * diffuse + params[1][c] * specular);
 }
 
 /* ---- Fur of no direction: kajiya, kajiya-printed, lengyel ---- */

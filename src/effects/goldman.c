@@ -10,9 +10,10 @@
 
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
+    struct rl_fur_terms t = rl_fur_terms(s->N, L, s->V);
     double f_dir = rl_goldman_direction(s, L, params);
     double f_surf = fmin(fmax(2.0 * v3_dot(s->N, L) + 1.0, 0.0), 1.0);
-    rl_fur_sum(rgb, params, f_dir * f_surf, rl_fur_sine(s->N, L), rl_fur_cone(s->N, L, s->V));
+    rl_fur_sum(rgb, params, f_dir * f_surf, t.s_l.high, rl_fur_cone(&t));
 }
 
 const struct rl_effect rl_effect_goldman = {

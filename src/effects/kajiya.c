@@ -9,7 +9,8 @@
 
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
-    rl_fur_sum(rgb, params, 1.0, rl_fur_sine(s->N, L), rl_fur_cone(s->N, L, s->V));
+    struct rl_fur_terms t = rl_fur_terms(s->N, L, s->V);
+    rl_fur_sum(rgb, params, 1.0, t.s_l.high, rl_fur_cone(&t));
 }
 
 const struct rl_effect rl_effect_kajiya = {

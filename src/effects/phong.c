@@ -16,9 +16,14 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     double n_l = v3_dot(s->N, L);
     if (!(n_l > 0.0))
         return;
-    rl_vec3 R = v3_reflect(s->V, s->N);
-    double lobe = rl_power_of_cosine(v3_length(v3_cross(R, L)), v3_dot(R, L), params[0][3]);
-    rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(n_l, v3_sin_sin(s->N, L, n_l)));
+    /* |N|^2 R, whatever N's length. */
+    struct rl_pair_vec3 N = rl_pair_vec3_of(s->N), V = rl_pair_vec3_of(s->V), l = rl_pair_vec3_of(L);
+    struct rl_pair n_v = rl_pair_dot(N, V);
+    struct rl_pair_vec3 along = rl_pair_vec3_scale(rl_pair_add(n_v, n_v), N),
+                        back = rl_pair_vec3_scale(rl_pair_dot(N, N), V),
+                        R = rl_pair_vec3_add(along, rl_pair_vec3_minus(back));
+    double lobe = rl_power_of_cosine(rl_pair_cosine(R, l), params[0][3]);
+    rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(n_l, rl_pair_sin_sin(N, l).high));
 }
 
 static const struct rl_effect_param param[] = {RL_LOBE_KEYS("n of cos^n(gamma)"), {0}};

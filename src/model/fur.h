@@ -12,7 +12,8 @@
 #ifndef RL_MODEL_FUR_H
 #define RL_MODEL_FUR_H
 
-#include "model/vec3.h"
+#include "model/half.h"
+#include "model/pair.h"
 
 #define RL_FUR_PARALLEL 1e-4
 
@@ -21,33 +22,42 @@ static inline double rl_fur_sine(rl_vec3 n, rl_vec3 a)
     return v3_length(v3_cross(n, a));
 }
 
-/* An angle whose cosine is raised to a power, by both since a cosine near 1 does not tell how near (model/lobe.h). */
-struct rl_fur_angle {
-    double sine, cosine;
+/* Sines and cosines of n to l and e, as those of the directions: what lengths are off by 1 is divided away. */
+struct rl_fur_terms {
+    struct rl_pair s_l, s_e, c_l, c_e;
 };
 
-/* psi - theta; its cosine is below 0 where the eye is more than 90 degrees off the cone. */
-static inline struct rl_fur_angle rl_fur_cone(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+static inline struct rl_fur_terms rl_fur_terms(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    double s_l = rl_fur_sine(n, l), s_e = rl_fur_sine(n, e), c_l = v3_dot(n, l), c_e = v3_dot(n, e);
-    return (struct rl_fur_angle){s_l * c_e + c_l * s_e, s_l * s_e - c_l * c_e};
+    struct rl_pair_vec3 N = rl_pair_vec3_of(n), L = rl_pair_vec3_of(l), E = rl_pair_vec3_of(e);
+    return (struct rl_fur_terms){rl_pair_root(rl_pair_sin_sin(N, L)), rl_pair_root(rl_pair_sin_sin(N, E)),
+                                 rl_pair_cosine(N, L), rl_pair_cosine(N, E)};
 }
 
-/* psi + theta; its cosine's size, for the listing squares it three times for an 8th power, which loses its sign. */
-static inline struct rl_fur_angle rl_fur_cone_printed(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+/* cos(psi - theta); below 0 where the eye is more than 90 degrees off the cone. */
+static inline struct rl_pair rl_fur_cone(const struct rl_fur_terms *t)
 {
-    double s_l = rl_fur_sine(n, l), s_e = rl_fur_sine(n, e), c_l = v3_dot(n, l), c_e = v3_dot(n, e);
-    return (struct rl_fur_angle){s_l * c_e - c_l * s_e, fabs(s_l * s_e + c_l * c_e)};
+    return rl_pair_determinant(t->s_l, t->c_l, t->c_e, t->s_e);
 }
 
-/* That of the cosine |n x h|, h = (l + e)/2: 1 - |n x h|^2 = (n.h)^2 + |l - e|^2/4, for |h|^2 = 1 - |l - e|^2/4. */
-static inline struct rl_fur_angle rl_fur_half(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+/* The size of cos(psi + theta), for the listing squares it three times for an 8th power, which loses its sign. */
+static inline struct rl_pair rl_fur_cone_printed(const struct rl_fur_terms *t)
 {
-    rl_vec3 sum = v3_add(l, e), apart = v3_sub(e, l);
-    /* Without what lengths are off by 1, as model/half.h has it. */
-    rl_vec3 h = v3_scale(0.5, v3_madd(sum, -0.25 * v3_dot(sum, apart), apart));
-    double c = v3_dot(n, h);
-    return (struct rl_fur_angle){sqrt(c * c + 0.25 * v3_dot(apart, apart)), rl_fur_sine(n, h)};
+    struct rl_pair c = rl_pair_add(rl_pair_multiply(t->s_l, t->s_e), rl_pair_multiply(t->c_l, t->c_e));
+    return c.high < 0.0 ? rl_pair_minus(c) : c;
+}
+
+/* |n x h|, h = (l + e)/2 of the directions: h comes from model/half.h, of the length of l. */
+static inline struct rl_pair rl_fur_half(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+{
+    struct rl_half half = rl_half_make(l, e);
+    if (!(half.cosine > 0.0))
+        return (struct rl_pair){0.0, 0.0};
+    struct rl_pair_vec3 N = rl_pair_vec3_of(n), L = rl_pair_vec3_of(l), across = rl_pair_cross(N, half.H);
+    struct rl_pair unit = rl_pair_multiply(rl_pair_dot(N, N), rl_pair_dot(L, L));
+    double scale = 0.5 / RL_HALF_WIDE;
+    struct rl_pair size = rl_pair_root(rl_pair_divide(rl_pair_dot(across, across), unit));
+    return (struct rl_pair){scale * size.high, scale * size.low};
 }
 
 /* (1 + kappa)/2 and (1 - kappa)/2, the shares of the light's side and of the other. Where kappa is +-1 one of them is small: with

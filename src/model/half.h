@@ -1,34 +1,37 @@
 /* The half vector of light and eye, H = (L + V)/|L + V|, the normal of the facets that mirror one to the other; beta is the angle between
  * it and either.
  *
- * L + V is all rounding where L is nearly -V, and most of that lies along V - L: it is what the lengths of L and V are off by 1, for of unit
- * vectors (L + V).(V - L) = |V|^2 - |L|^2 = 0. Its part along V - L is taken away as (V - L)((L + V).(V - L))/4, |V - L|^2 being 4 where that
- * matters: what is left of the error is |L + V|^2/4 of it. So H has the directions' relative error also where both graze a horizon. */
+ * L + V is all rounding where L is nearly -V, and most of that lies along V - L: it is what the lengths of L and V are off by 1. So V is made
+ * as long as L, by |L|/|V| = 1 + (|L|^2 - |V|^2)/2 but for the square of what that differs from 1; and sum and difference are in pairs of
+ * numbers (model/pair.h), so that angles to H are those of the directions L and V, as rounded as these are and no more, also where both graze
+ * a horizon. */
 #ifndef RL_MODEL_HALF_H
 #define RL_MODEL_HALF_H
 
-#include "model/vec3.h"
+#include "model/pair.h"
+
+/* For lengths to 1e-300, whose squares are no numbers. */
+#define RL_HALF_WIDE 0x1p500
 
 struct rl_half {
-    rl_vec3 H;
+    struct rl_pair_vec3 H;  /* RL_HALF_WIDE (L + V), with V as long as L */
     double cosine, sin_sin; /* of beta */
 };
 
-/* Of unit vectors. Where they are opposite there is no H, and the cosine is 0. */
+/* Of vectors whose lengths are 1 but for rounding. Where they are opposite there is no H, and the cosine is 0. */
 static inline struct rl_half rl_half_make(rl_vec3 L, rl_vec3 V)
 {
-    /* Lengths to 1e-300, whose squares are none: both sides of the division by |L + V| have the power of two. */
-    static const double wide = 0x1p500;
-    rl_vec3 sum = v3_add(L, V), apart = v3_sub(V, L);
-    sum = v3_scale(wide, v3_madd(sum, -0.25 * v3_dot(sum, apart), apart));
-    double length = v3_length(sum);
+    struct rl_pair_vec3 l = rl_pair_vec3_of(L), v = rl_pair_vec3_of(V);
+    struct rl_pair ll = rl_pair_dot(l, l);
+    double longer = 0.5 * rl_pair_add(ll, rl_pair_minus(rl_pair_dot(v, v))).high;
+    v = rl_pair_vec3_scale(rl_pair_sum(1.0, longer), v);
+    struct rl_pair_vec3 sum = rl_pair_vec3_scale((struct rl_pair){RL_HALF_WIDE, 0.0}, rl_pair_vec3_add(l, v));
+    struct rl_pair_vec3 apart = rl_pair_vec3_add(v, rl_pair_vec3_minus(l));
+    double length = sqrt(rl_pair_divide(rl_pair_dot(sum, sum), ll).high);
     if (!(length > 0.0))
         return (struct rl_half){.sin_sin = 1.0};
-    double cosine = fmin(0.5 / wide * length, 1.0), c_c = cosine * cosine;
-    /* Where L and V are nearly one, |L x V| = 2 sin(beta) cos(beta); elsewhere the cosine knows it. */
-    double sin_sin =
-        cosine > 0.7 ? 0.25 * v3_dot(v3_cross(L, V), v3_cross(L, V)) / c_c : (1.0 - cosine) * (1.0 + cosine);
-    return (struct rl_half){v3_scale(1.0 / length, sum), cosine, sin_sin};
+    return (struct rl_half){sum, fmin(0.5 / RL_HALF_WIDE * length, 1.0),
+                            0.25 * rl_pair_divide(rl_pair_dot(apart, apart), ll).high};
 }
 
 #endif
