@@ -102,10 +102,17 @@ static inline void rl_goldman_pack(const double *value, double params[][4])
 }
 
 /* f_dir of light from L, seen from V. */
-static inline double rl_goldman_direction(const struct rl_surface *s, rl_vec3 L, double params[][4])
+static inline double rl_goldman_direction(const struct rl_fur_terms *t, const struct rl_surface *s, rl_vec3 L,
+                                          double params[][4])
 {
-    struct rl_fur_sides sides = rl_fur_sides(s->N, L, s->V);
+    struct rl_fur_sides sides = rl_fur_sides(t, s->N, L, s->V);
     return sides.near * params[1][3] + sides.far * params[2][0];
+}
+
+/* 2 (l.n) + 1, which cancels 120 degrees from n. */
+static inline double rl_goldman_surface(const struct rl_fur_terms *t)
+{
+    return rl_pair_add(rl_pair_add(t->c_l, t->c_l), (struct rl_pair){1.0, 0.0}).high;
 }
 
 #endif

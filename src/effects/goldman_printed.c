@@ -10,8 +10,8 @@
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
     struct rl_fur_terms t = rl_fur_terms(s->N, L, s->V);
-    double f_dir = rl_goldman_direction(s, L, params);
-    double f_surf = 2.0 * v3_dot(s->N, L) + 1.0;
+    double f_dir = rl_goldman_direction(&t, s, L, params);
+    double f_surf = rl_goldman_surface(&t);
     rl_fur_sum(rgb, params, f_dir * f_surf, t.s_l.high, rl_fur_cone_printed(&t));
 }
 

@@ -63,33 +63,37 @@ static inline struct rl_pair rl_fur_half(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 /* (1 + kappa)/2 and (1 - kappa)/2, the shares of the light's side and of the other. Where kappa is +-1 one of them is small: with
  * a = (n x l)/max(|n x l|, RL_FUR_PARALLEL), and b of e likewise,
  *
- *     1 +- kappa = (|a +- b|^2 + (1 - |a|^2) + (1 - |b|^2))/2
+ *     1 - |kappa| = (1 - kappa^2)/(1 + |kappa|),   1 - kappa^2 = |a x b|^2 + (1 - |a|^2) + |a|^2 (1 - |b|^2)    (Lagrange)
  *
- * where the last two are 0 but for directions that are all but parallel. */
+ * where the last two are 0 but for directions that are all but parallel, and (n x l) x (n x e) = n (n . (l x e)) is 0 where the three lie in
+ * one plane, and not the rest of a difference. */
 struct rl_fur_sides {
     double near, far;
 };
 
+/* 1 - sine^2 with sine, as a part of RL_FUR_PARALLEL, 1 at most. */
 static inline double rl_fur_rest(double sine)
 {
     double part = fmin(sine / RL_FUR_PARALLEL, 1.0);
     return (1.0 - part) * (1.0 + part);
 }
 
-static inline struct rl_fur_sides rl_fur_sides(rl_vec3 n, rl_vec3 l, rl_vec3 e)
+static inline struct rl_fur_sides rl_fur_sides(const struct rl_fur_terms *t, rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    rl_vec3 a = v3_cross(n, l), b = v3_cross(n, e);
-    double s_a = v3_length(a), s_b = v3_length(b);
-    a = v3_scale(1.0 / fmax(s_a, RL_FUR_PARALLEL), a);
-    b = v3_scale(1.0 / fmax(s_b, RL_FUR_PARALLEL), b);
-    rl_vec3 sum = v3_add(a, b), apart = v3_sub(a, b);
-    double rest = rl_fur_rest(s_a) + rl_fur_rest(s_b);
-    return (struct rl_fur_sides){0.25 * (v3_dot(sum, sum) + rest), 0.25 * (v3_dot(apart, apart) + rest)};
+    struct rl_pair_vec3 N = rl_pair_vec3_of(n), L = rl_pair_vec3_of(l), E = rl_pair_vec3_of(e);
+    double m_l = fmax(t->s_l.high, RL_FUR_PARALLEL), m_e = fmax(t->s_e.high, RL_FUR_PARALLEL);
+    double across = rl_pair_dot(N, rl_pair_cross(L, E)).high / m_l / m_e;
+    double rest = rl_fur_rest(t->s_l.high);
+    rest += (1.0 - rest) * rl_fur_rest(t->s_e.high);
+    double kappa = rl_pair_dot(rl_pair_cross(N, L), rl_pair_cross(N, E)).high / m_l / m_e;
+    double large = 0.5 + 0.5 * fmin(fabs(kappa), 1.0), small = 0.25 * (across * across + rest) / large;
+    return kappa < 0.0 ? (struct rl_fur_sides){small, large} : (struct rl_fur_sides){large, small};
 }
 
 static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    struct rl_fur_sides sides = rl_fur_sides(n, l, e);
+    struct rl_fur_terms t = rl_fur_terms(n, l, e);
+    struct rl_fur_sides sides = rl_fur_sides(&t, n, l, e);
     /* A cosine rounded beyond 1 would take light away where all is reflected or all transmitted. */
     return fmin(fmax(sides.near - sides.far, -1.0), 1.0);
 }
