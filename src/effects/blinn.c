@@ -21,7 +21,7 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
         return;
     struct rl_half h = rl_half_make(L, s->V);
     double lobe =
-        h.cosine > 0.0 ? rl_power_of_cosine(rl_pair_cosine(rl_pair_vec3_of(s->N), h.H), params[0][3]) : 0.0;
+        h.cosine.high > 0.0 ? rl_power(rl_pair_cosine(rl_pair_vec3_of(s->N), h.H), params[0][3]) : 0.0;
     rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(h.cosine, h.sin_sin));
 }
 

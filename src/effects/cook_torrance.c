@@ -32,23 +32,28 @@ static void pack(const double *value, double params[][4])
 static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], double rgb[3])
 {
     rgb[0] = rgb[1] = rgb[2] = 0.0;
-    double n_l = v3_dot(s->N, L), n_v = v3_dot(s->N, s->V);
-    if (!(n_l > 0.0) || !(n_v > 0.0))
+    struct rl_pair_vec3 N = rl_pair_vec3_of(s->N);
+    struct rl_pair n_l = rl_pair_cosine(N, rl_pair_vec3_of(L)),
+                   n_v = rl_pair_cosine(N, rl_pair_vec3_of(s->V));
+    if (!(n_l.high > 0.0) || !(n_v.high > 0.0))
         return;
     struct rl_half h = rl_half_make(L, s->V);
-    if (!(h.cosine > 0.0))
+    if (!(h.cosine.high > 0.0))
         return;
     /* A sum of what is positive: N.H of a rounded H may be below 0 at grazing incidence. */
-    double n_h = fmin(1.0, 0.5 * (n_l + n_v) / h.cosine), m = params[0][3];
-    double sin_sin = rl_pair_sin_sin(rl_pair_vec3_of(s->N), h.H).high;
-    double d =
-        params[1][3] == 0.0 ? rl_facets_beckmann(n_h, sin_sin, m) : rl_facets_ellipsoid(n_h, sin_sin, m);
+    struct rl_pair n_h = rl_pair_divide(rl_pair_scale(0.5, rl_pair_add(n_l, n_v)), h.cosine);
+    double cos_delta = fmin(1.0, n_h.high), sin_sin = rl_pair_sin_sin(N, h.H).high, m = params[0][3];
+    double d = params[1][3] == 0.0 ? rl_facets_beckmann(cos_delta, sin_sin, m)
+                                   : rl_facets_ellipsoid(cos_delta, sin_sin, m);
     /* G / (4 N.V), G = min(1, 2 (N.H) min(N.V, N.L)/(V.H)): quotients of what goes to 0 together, and no product of them. */
-    double g = fmin(0.25 / n_v, 0.5 * (n_h / h.cosine) * fmin(1.0, n_l / n_v));
+    struct rl_pair hidden = rl_pair_divide(rl_pair_scale(0.5, n_h), h.cosine);
+    if (n_l.high < n_v.high)
+        hidden = rl_pair_multiply(hidden, rl_pair_divide(n_l, n_v));
+    double g = fmin(0.25 / n_v.high, hidden.high);
     /* At a grazing angle of 1e-308 it is past the largest number; an infinity times an F of 0 is none at all. */
     double factor = fmin(d * g, DBL_MAX);
     for (int c = 0; c < 3; c++)
-        rgb[c] = rl_reflectance_at(params, c, h.cosine, h.sin_sin) * factor;
+        rgb[c] = rl_reflectance_at(params, c, h.cosine.high, h.sin_sin.high) * factor;
 }
 
 static const struct rl_effect_choice distribution[] = {

@@ -48,7 +48,7 @@ static inline void rl_fur_pack_colours(const double *value, bool monochrome, dou
 static inline void rl_fur_sum(double rgb[3], double params[][4], double factor, double diffuse,
                               struct rl_pair lobe)
 {
-    double specular = rl_power_of_cosine(lobe, params[0][3]);
+    double specular = rl_power(lobe, params[0][3]);
     for (int c = 0; c < 3; c++)
         rgb[c] = factor * (params[0][c] * diffuse + params[1][c] * specular);
 }

@@ -33,9 +33,9 @@ static inline void rl_lobe_pack(const double *value, double params[][4])
 }
 
 /* W lobe, W = k_s + g (1 - k_s) (1 - cos)^5, of 1 - cos: the difference itself would cancel near normal incidence. */
-static inline void rl_lobe_sum(double rgb[3], double params[][4], double lobe, double one_less_cosine)
+static inline void rl_lobe_sum(double rgb[3], double params[][4], double lobe, struct rl_pair one_less_cosine)
 {
-    double grazing = params[1][0] * pow(one_less_cosine, 5.0);
+    double grazing = params[1][0] * rl_power(one_less_cosine, 5.0);
     for (int c = 0; c < 3; c++)
         rgb[c] = lobe * (params[0][c] + grazing * (1.0 - params[0][c]));
 }

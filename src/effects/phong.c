@@ -22,8 +22,8 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     struct rl_pair_vec3 along = rl_pair_vec3_scale(rl_pair_add(n_v, n_v), N),
                         back = rl_pair_vec3_scale(rl_pair_dot(N, N), V),
                         R = rl_pair_vec3_add(along, rl_pair_vec3_minus(back));
-    double lobe = rl_power_of_cosine(rl_pair_cosine(R, l), params[0][3]);
-    rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(n_l, rl_pair_sin_sin(N, l).high));
+    double lobe = rl_power(rl_pair_cosine(R, l), params[0][3]);
+    rl_lobe_sum(rgb, params, lobe, rl_one_less_cosine(rl_pair_cosine(N, l), rl_pair_sin_sin(N, l)));
 }
 
 static const struct rl_effect_param param[] = {RL_LOBE_KEYS("n of cos^n(gamma)"), {0}};

@@ -14,24 +14,22 @@
 #define RL_HALF_WIDE 0x1p500
 
 struct rl_half {
-    struct rl_pair_vec3 H;  /* RL_HALF_WIDE (L + V), with V as long as L */
-    double cosine, sin_sin; /* of beta */
+    struct rl_pair_vec3 H;          /* RL_HALF_WIDE (L + V), with V as long as L */
+    struct rl_pair cosine, sin_sin; /* of beta */
 };
 
 /* Of vectors whose lengths are 1 but for rounding. Where they are opposite there is no H, and the cosine is 0. */
 static inline struct rl_half rl_half_make(rl_vec3 L, rl_vec3 V)
 {
     struct rl_pair_vec3 l = rl_pair_vec3_of(L), v = rl_pair_vec3_of(V);
-    struct rl_pair ll = rl_pair_dot(l, l);
+    struct rl_pair ll = rl_pair_dot(l, l), wide = {RL_HALF_WIDE, 0.0};
     double longer = 0.5 * rl_pair_add(ll, rl_pair_minus(rl_pair_dot(v, v))).high;
     v = rl_pair_vec3_scale(rl_pair_sum(1.0, longer), v);
-    struct rl_pair_vec3 sum = rl_pair_vec3_scale((struct rl_pair){RL_HALF_WIDE, 0.0}, rl_pair_vec3_add(l, v));
+    struct rl_pair_vec3 sum = rl_pair_vec3_scale(wide, rl_pair_vec3_add(l, v));
     struct rl_pair_vec3 apart = rl_pair_vec3_add(v, rl_pair_vec3_minus(l));
-    double length = sqrt(rl_pair_divide(rl_pair_dot(sum, sum), ll).high);
-    if (!(length > 0.0))
-        return (struct rl_half){.sin_sin = 1.0};
-    return (struct rl_half){sum, fmin(0.5 / RL_HALF_WIDE * length, 1.0),
-                            0.25 * rl_pair_divide(rl_pair_dot(apart, apart), ll).high};
+    struct rl_pair size = rl_pair_root(rl_pair_divide(rl_pair_dot(sum, sum), ll));
+    return (struct rl_half){sum, rl_pair_scale(0.5 / RL_HALF_WIDE, size),
+                            rl_pair_scale(0.25, rl_pair_divide(rl_pair_dot(apart, apart), ll))};
 }
 
 #endif

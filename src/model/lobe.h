@@ -13,18 +13,18 @@
 
 #include "model/pair.h"
 
-/* cos^n for n > 0; 0 where cosine <= 0. */
-static inline double rl_power_of_cosine(struct rl_pair cosine, double n)
+/* x^n for n > 0; 0 where x <= 0. */
+static inline double rl_power(struct rl_pair x, double n)
 {
-    if (!(cosine.high > 0.0))
+    if (!(x.high > 0.0))
         return 0.0;
-    return pow(cosine.high, n) * (1.0 + n * (cosine.low / cosine.high));
+    return pow(x.high, n) * (1.0 + n * (x.low / x.high));
 }
 
-/* 1 - cos, which is sin^2/(1 + cos) near 0. */
-static inline double rl_one_less_cosine(double cosine, double sin_sin)
+/* 1 - cos = sin^2/(1 + cos), of angles up to 90 degrees. */
+static inline struct rl_pair rl_one_less_cosine(struct rl_pair cosine, struct rl_pair sin_sin)
 {
-    return cosine > 0.7 ? sin_sin / (1.0 + cosine) : 1.0 - cosine;
+    return rl_pair_divide(sin_sin, rl_pair_add((struct rl_pair){1.0, 0.0}, cosine));
 }
 
 #endif

@@ -44,6 +44,12 @@ static inline struct rl_pair rl_pair_multiply(struct rl_pair a, struct rl_pair b
     return rl_pair_sum(product, fma(a.high, b.high, -product) + (a.high * b.low + a.low * b.high));
 }
 
+/* By a power of two. */
+static inline struct rl_pair rl_pair_scale(double s, struct rl_pair a)
+{
+    return (struct rl_pair){s * a.high, s * a.low};
+}
+
 /* b is not 0. */
 static inline struct rl_pair rl_pair_divide(struct rl_pair a, struct rl_pair b)
 {
