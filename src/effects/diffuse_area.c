@@ -116,6 +116,13 @@ static bool find_reference(rl_vec3 *ref, const struct outline *o)
     return most > 0.0;
 }
 
+/* b - a, from P or from the reference point: what is nearer has lost less of it. */
+static rl_vec3 from_to(rl_vec3 a, rl_vec3 b, rl_vec3 a_ref, rl_vec3 b_ref)
+{
+    double near = v3_dot(a, a) + v3_dot(b, b), near_ref = v3_dot(a_ref, a_ref) + v3_dot(b_ref, b_ref);
+    return near < near_ref ? v3_sub(b, a) : v3_sub(b_ref, a_ref);
+}
+
 /* The signed sum over edges, twice the irradiance. */
 static double edge_sum(const struct outline *o)
 {
@@ -138,8 +145,9 @@ static double edge_sum(const struct outline *o)
             first = crossing;
             first_ref = crossing_ref;
         }
-        struct part closing = {first, crossing, first_ref, crossing_ref, v3_sub(crossing_ref, first_ref),
-                               false, false};
+        struct part closing = {
+            first, crossing, first_ref, crossing_ref, from_to(first, crossing, first_ref, crossing_ref),
+            false, false};
         double sign = e.up ? 1.0 : -1.0;
         area += sign * v3_dot(o->N, v3_cross(first_ref, closing.along));
         sum += sign * edge_term(&closing, o->N, ref, r);
