@@ -35,7 +35,8 @@ static void reflect(const struct rl_surface *s, rl_vec3 L, double params[][4], d
     struct rl_pair_vec3 N = rl_pair_vec3_of(s->N);
     struct rl_pair n_l = rl_pair_cosine(N, rl_pair_vec3_of(L)),
                    n_v = rl_pair_cosine(N, rl_pair_vec3_of(s->V));
-    if (!(n_l.high > 0.0) || !(n_v.high > 0.0))
+    /* Level with the surface as plain numbers have it for other effects, too, or as pairs know better: none. */
+    if (!(v3_dot(s->N, L) > 0.0) || !(v3_dot(s->N, s->V) > 0.0) || !(n_l.high > 0.0) || !(n_v.high > 0.0))
         return;
     struct rl_half h = rl_half_make(L, s->V);
     if (!(h.cosine.high > 0.0))

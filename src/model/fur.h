@@ -47,15 +47,13 @@ static inline struct rl_pair rl_fur_cone_printed(const struct rl_fur_terms *t)
     return c.high < 0.0 ? rl_pair_minus(c) : c;
 }
 
-/* |n x h|, h = (l + e)/2 of the directions: h comes from model/half.h, of the length of l. */
+/* |n x h|, h = (l + e)/2: by the angles of model/half.h it is sin(delta) cos(beta). */
 static inline struct rl_pair rl_fur_half(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
     struct rl_half half = rl_half_make(l, e);
     if (!(half.cosine.high > 0.0))
         return (struct rl_pair){0.0, 0.0};
-    struct rl_pair_vec3 N = rl_pair_vec3_of(n), L = rl_pair_vec3_of(l), across = rl_pair_cross(N, half.H);
-    struct rl_pair unit = rl_pair_multiply(rl_pair_dot(N, N), rl_pair_dot(L, L));
-    return rl_pair_scale(0.5 / RL_HALF_WIDE, rl_pair_root(rl_pair_divide(rl_pair_dot(across, across), unit)));
+    return rl_pair_multiply(half.cosine, rl_pair_root(rl_pair_sin_sin(rl_pair_vec3_of(n), half.H)));
 }
 
 /* (1 + kappa)/2 and (1 - kappa)/2, the shares of the light's side and of the other. Where kappa is +-1 one of them is small: with

@@ -10,6 +10,7 @@
 #include "hard/draw.h"
 #include "hard/draw_row.h"
 #include "hard/property.h"
+#include "model/pair.h"
 #include "probe/probe.h"
 #include "support/check.h"
 
@@ -97,7 +98,10 @@ static void check_exchange(const struct rl_probe *p, const double *in, const dou
         other[6 + c] = in[3 + c];
     }
     rl_probe_cpu(p, other, 1, there);
-    double n_v = v3_dot(unit(in), unit(in + 3)), n_l = v3_dot(unit(in), unit(in + 6));
+    /* Plain sums would add a rounding of their own near the horizon. */
+    struct rl_pair_vec3 N = rl_pair_vec3_of(unit(in));
+    double n_v = rl_pair_cosine(N, rl_pair_vec3_of(unit(in + 3))).high;
+    double n_l = rl_pair_cosine(N, rl_pair_vec3_of(unit(in + 6))).high;
     double here = exchange == AS_IT_IS ? 1.0 : n_v, that = exchange == AS_IT_IS ? 1.0 : n_l;
     for (int c = 0; c < 3; c++) {
         double a = out[c] * here, b = there[c] * that;
