@@ -37,7 +37,8 @@ struct outline {
  * without a difference of what is far from P. */
 struct part {
     rl_vec3 a, b, a_ref, b_ref, along;
-    bool up, down; /* it begins or ends on the horizon, where the edge crosses it */
+    double gamma_N; /* gamma . N, known by the whole edge also where its part passes near P */
+    bool up, down;  /* it begins or ends on the horizon, where the edge crosses it */
 };
 
 /* The i-th edge's, or false: none of it is. */
@@ -45,7 +46,10 @@ static bool part_of_edge(struct part *e, const struct outline *o, int i, rl_vec3
 {
     rl_vec3 from = o->vertex[i > 0 ? i - 1 : o->n - 1], to = o->vertex[i], edge = v3_sub(to, from);
     *e = (struct part){
-        v3_sub(from, o->P), v3_sub(to, o->P), v3_sub(from, ref), v3_sub(to, ref), edge, false, false};
+        v3_sub(from, o->P), v3_sub(to, o->P), v3_sub(from, ref), v3_sub(to, ref), edge, 0.0, false, false};
+    /* a x b = a x (b - a) = b x (b - a): nothing cancels, nor, by the shorter one, where one end is near. */
+    rl_vec3 gamma = v3_normalize(v3_cross(v3_dot(e->a, e->a) < v3_dot(e->b, e->b) ? e->a : e->b, edge));
+    e->gamma_N = v3_dot(o->N, gamma);
     double z_a = v3_dot(o->N, e->a), z_b = v3_dot(o->N, e->b);
     e->up = !(z_a > 0.0);
     e->down = !(z_b > 0.0);
@@ -82,22 +86,21 @@ static double excess_of_arc(double sine)
 }
 
 /* (f - 1/r^2) (a x b).N with f (a x b) = angle gamma, for |ref| = r. */
-static double edge_term(const struct part *e, rl_vec3 N, rl_vec3 ref, double r)
+static double edge_term(const struct part *e, rl_vec3 ref, double r)
 {
     double l_a = v3_length(e->a), l_b = v3_length(e->b);
-    /* a x b = a x (b - a) = b x (b - a): nothing cancels, nor, by the shorter one, where one end is near. */
     rl_vec3 across = v3_cross(l_a < l_b ? e->a : e->b, e->along);
     double size = v3_length(across), cosine = v3_dot(e->a, e->b);
     if (!(size > 0.0))
         return 0.0;
     double sine = size / (l_a * l_b);
     if (!(sine < 0.5) || !(cosine > 0.0))
-        return (atan2(size, cosine) - size / r / r) * (v3_dot(N, across) / size);
+        return (atan2(size, cosine) - size / r / r) * e->gamma_N;
     /* r - |a| = (ref - a).(ref + a)/(r + |a|) */
     double from_a = -v3_dot(e->a_ref, v3_add(ref, e->a)) / (r + l_a);
     double from_b = -v3_dot(e->b_ref, v3_add(ref, e->b)) / (r + l_b);
     double difference = excess_of_arc(sine) + (from_a + l_a * (from_b / r)) / r;
-    return difference * (v3_dot(N, across) / (l_a * l_b));
+    return difference * sine * e->gamma_N;
 }
 
 /* The farthest point of the outline that is above the horizon; false: nothing is. */
@@ -137,7 +140,7 @@ static double edge_sum(const struct outline *o)
         if (!part_of_edge(&e, o, i, at))
             continue;
         area += v3_dot(o->N, v3_cross(e.a_ref, e.along));
-        sum += edge_term(&e, o->N, ref, r);
+        sum += edge_term(&e, ref, r);
         if (!e.up && !e.down)
             continue;
         rl_vec3 crossing = e.up ? e.a : e.b, crossing_ref = e.up ? e.a_ref : e.b_ref;
@@ -145,12 +148,13 @@ static double edge_sum(const struct outline *o)
             first = crossing;
             first_ref = crossing_ref;
         }
-        struct part closing = {
-            first, crossing, first_ref, crossing_ref, from_to(first, crossing, first_ref, crossing_ref),
-            false, false};
+        struct part closing = {.a = first, .b = crossing, .a_ref = first_ref, .b_ref = crossing_ref};
+        closing.along = from_to(first, crossing, first_ref, crossing_ref);
+        /* Both ends lie on the horizon. */
+        closing.gamma_N = copysign(1.0, v3_dot(o->N, v3_cross(first, closing.along)));
         double sign = e.up ? 1.0 : -1.0;
         area += sign * v3_dot(o->N, v3_cross(first_ref, closing.along));
-        sum += sign * edge_term(&closing, o->N, ref, r);
+        sum += sign * edge_term(&closing, ref, r);
         crossed = true;
     }
     return area / r / r + sum;
