@@ -21,10 +21,15 @@ struct exact_function {
     const char *name;
     size_t n_in, n_out;
     size_t n_directions; /* triples that begin the arguments, of which only the direction counts */
+    size_t
+        n_points; /* triples that follow them: positions, of which only differences and sizes to each other count */
     const char *out[EXACT_OUT_MAX];
     /* Or NULL. Of the size of what the answer is made of where that may be more than it: double precision is asked for one unit in the last
      * place of it at most. */
     double (*whole)(mpfr_t in[]);
+    /* Or NULL. Whether arguments of so many bits are within their rounding of where the answer jumps: random rows are none of these, where
+     * either answer is right. */
+    bool (*undecided)(mpfr_t in[], int bits);
     /* An argument that was left out is NaN. Arguments may lie a few units in the last place beyond their range. */
     void (*evaluate)(mpfr_t out[], mpfr_t in[]);
 };
@@ -57,9 +62,12 @@ void exact_ambient(mpfr_t out[], mpfr_t in[]);
 void exact_diffuse(mpfr_t out[], mpfr_t in[]);
 void exact_diffuse_area_polygon(mpfr_t out[], mpfr_t in[]);
 double exact_diffuse_area_whole(mpfr_t in[]);
+bool exact_in_plane(mpfr_t in[], int bits);
 void exact_point_light(mpfr_t out[], mpfr_t in[]);
 void exact_phong(mpfr_t out[], mpfr_t in[]);
+bool exact_light_level(mpfr_t in[], int bits); /* N.L is 0 but for rounding */
 void exact_blinn(mpfr_t out[], mpfr_t in[]);
+bool exact_either_level(mpfr_t in[], int bits); /* or N.V is */
 void exact_reflectance(mpfr_t out[], mpfr_t in[]);
 void exact_fresnel(mpfr_t out[], mpfr_t in[]);
 void exact_cook_torrance(mpfr_t out[], mpfr_t in[]);

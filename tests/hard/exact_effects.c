@@ -8,6 +8,8 @@
  */
 #include "exact_arithmetic.h"
 
+#include <math.h>
+
 void exact_ambient(mpfr_t out[], mpfr_t in[])
 {
     for (int c = 0; c < 3; c++)
@@ -74,6 +76,17 @@ double exact_diffuse_area_whole(mpfr_t in[])
     }
     return sign_of(distance) > 0 ? mpfr_get_d(square(over(least_of(size, distance), distance)), MPFR_RNDN)
                                  : 0.0;
+}
+
+/* In the triangle's plane P sees one side of it or the other, all of the sky or none. Beside it, by d of its size, directions of horizon and edges
+ * that pass P are known to 1/d units in the last place: two thirds of the digits are to be left. */
+bool exact_in_plane(mpfr_t in[], int bits)
+{
+    exact_begin();
+    vec a = vector(in, 6), b = vector(in, 9), c = vector(in, 12);
+    vec normal = cross(difference(b, a), difference(c, a));
+    num size = most_of(length(a), most_of(length(b), length(c))), reach = times(length(normal), size);
+    return mpfr_cmp(size_of(dot(normal, a)), times(number(ldexp(1.0, -bits / 3)), reach)) <= 0;
 }
 
 void exact_point_light(mpfr_t out[], mpfr_t in[])

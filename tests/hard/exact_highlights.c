@@ -7,6 +7,8 @@
  */
 #include "exact_arithmetic.h"
 
+#include <math.h>
+
 static void give_lobe(mpfr_t out[], mpfr_t in[], num cosine, num incidence)
 {
     num one = number(1.0), lobe = power(most_of(number(0.0), cosine), in[13]);
@@ -36,4 +38,25 @@ void exact_blinn(mpfr_t out[], mpfr_t in[])
     }
     vec H = unit(sum(L, V));
     give_lobe(out, in, dot(N, H), dot(L, H));
+}
+
+/* A dot product of vectors made unit is off by some eight units in the last place of each term. */
+static bool level(mpfr_t in[], size_t a, size_t b, int bits)
+{
+    exact_begin();
+    num terms = number(0.0);
+    for (size_t c = 0; c < 3; c++)
+        terms = plus(terms, size_of(times(in[a + c], in[b + c])));
+    num most = times(number(ldexp(16.0, -bits)), terms);
+    return mpfr_cmp(size_of(dot(vector(in, a), vector(in, b))), most) < 0;
+}
+
+bool exact_light_level(mpfr_t in[], int bits)
+{
+    return level(in, 0, 6, bits);
+}
+
+bool exact_either_level(mpfr_t in[], int bits)
+{
+    return level(in, 0, 6, bits) || level(in, 0, 3, bits);
 }

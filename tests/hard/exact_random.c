@@ -1,7 +1,8 @@
 /* See exact_random.h. A row begins as one of the catalogue. Then each direction is drawn anew, or is put in relation to those before it
  * (along, against, across, mirrored), or stays, and is moved by a part of its length of any exponent; and each other argument stays, comes
  * from another row, or from anywhere between the column's ends by value or by exponent, and is moved alike. So rows lie near hard cases,
- * between them, and far from them all. */
+ * between them, and far from them all. Positions stay together, for sizes of 1e9 beside 1 make needles of every triangle: each is moved by a part of
+ * their size, or all are drawn anew of that size. */
 #include "exact_random.h"
 
 #include <math.h>
@@ -103,6 +104,23 @@ static void draw_direction(double row[], struct exact_draw *d, size_t which)
         v[below(d, 3)] = 1.0;
 }
 
+/* ---- Positions ---- */
+
+static void draw_points(double v[], struct exact_draw *d, size_t n)
+{
+    double size = 0.0;
+    bool anew = below(d, 3) == 0;
+    for (size_t i = 0; i < 3 * n; i++)
+        size = fmax(size, fabs(v[i]));
+    for (size_t i = 0; i < n; i++) {
+        double by = below(d, 2) == 0 ? size * part(d) : 0.0;
+        for (size_t c = 0; c < 3; c++) {
+            double x = 2.0 * uniform(d) - 1.0;
+            v[3 * i + c] = anew ? size * x : v[3 * i + c] + by * x;
+        }
+    }
+}
+
 /* ---- Other arguments ---- */
 
 struct column {
@@ -159,7 +177,8 @@ void exact_random_row(double row[], struct exact_draw *d, const struct exact_fun
     memcpy(row, rows + below(d, n) * f->n_in, f->n_in * sizeof *row);
     for (size_t i = 0; i < f->n_directions; i++)
         draw_direction(row, d, i);
-    for (size_t i = 3 * f->n_directions; i < f->n_in; i++)
+    draw_points(row + 3 * f->n_directions, d, f->n_points);
+    for (size_t i = 3 * (f->n_directions + f->n_points); i < f->n_in; i++)
         if (!isnan(row[i]))
             row[i] = draw_argument(row[i], d, rows, n, f->n_in, i);
 }
