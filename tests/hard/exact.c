@@ -33,7 +33,7 @@ enum { DIGITS = 25, FIELDS_MAX = EXACT_IN_MAX + 4 * EXACT_OUT_MAX + 1, BITS_DOUB
 static const char *path;
 static size_t line_number;
 
-static void stop(const char *found, const char *expected)
+static _Noreturn void stop(const char *found, const char *expected)
 {
     fprintf(stderr, "%s:%zu: found %s, expected %s\n", path, line_number, found, expected);
     exit(2);
@@ -181,12 +181,14 @@ static const struct exact_function *find_function(void)
         if (strlen(exact_functions[i].name) == length && strncmp(exact_functions[i].name, name, length) == 0)
             return &exact_functions[i];
     stop(name, "a name of exact_table.c and .tsv");
-    return NULL;
 }
 
+/* Fields that a line lacks are the line. */
 static size_t split(char *field[], char *line)
 {
     size_t n = 0;
+    for (size_t i = 0; i < FIELDS_MAX; i++)
+        field[i] = line;
     line[strcspn(line, "\r\n")] = '\0';
     for (char *at = line; at; n++) {
         if (n == FIELDS_MAX)
@@ -274,7 +276,7 @@ static double *read_rows(FILE *from, const struct exact_function *f, size_t *n_r
     for (line_number = 1; getline(&line, &room, from) >= 0; line_number++) {
         if (line[0] == '#' || line[0] == '\n' || n_lines++ == 0)
             continue;
-        rows = realloc(rows, n_lines * f->n_in * sizeof *rows);
+        rows = realloc(rows, ((n_lines - 1) * f->n_in + EXACT_IN_MAX) * sizeof *rows);
         if (!rows)
             stop("no memory", "some");
         read_row(rows + (n_lines - 2) * f->n_in, f, field, split(field, line));
