@@ -2,129 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/attenuation.h"
 #include "model/ellipsoid.h"
-#include "model/facets.h"
-#include "model/frame.h"
-#include "model/fresnel.h"
-#include "model/photometry.h"
-#include "probe/probe.h"
-
-static void pdf(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    struct rl_ellipsoid e = rl_ellipsoid_make(in[0]);
-    out[0] = rl_ellipsoid_pdf(&e, in[1]);
-}
-
-static void cdf(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    struct rl_ellipsoid e = rl_ellipsoid_make(in[0]);
-    out[0] = rl_ellipsoid_cdf(&e, in[1]);
-}
-
-static void inverse(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    struct rl_ellipsoid e = rl_ellipsoid_make(in[0]);
-    struct rl_delta d = rl_ellipsoid_inverse(&e, in[1]);
-    out[0] = d.delta;
-    out[1] = d.sin_delta;
-    out[2] = d.cos_delta;
-}
-
-static void make_frame(enum rl_frame_kind kind, const double *in, double *out)
-{
-    struct rl_frame f = rl_frame_make(kind, v3_normalize(v3(in[0], in[1], in[2])));
-    const double columns[6] = {f.T.x, f.T.y, f.T.z, f.B.x, f.B.y, f.B.z};
-    memcpy(out, columns, sizeof columns);
-}
-
-static void frame(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    make_frame(RL_FRAME_ORTHONORMAL, in, out);
-}
-
-static void frame_printed(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    make_frame(RL_FRAME_PRINTED, in, out);
-}
-
-static void attenuation(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = rl_attenuation(in[0], in[1], in[2], in[3]);
-}
-
-static void facets_beckmann(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = rl_facets_beckmann(cos(in[1]), sin(in[1]) * sin(in[1]), in[0]);
-}
-
-static void facets_ellipsoid(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = rl_facets_ellipsoid(cos(in[1]), sin(in[1]) * sin(in[1]), in[0]);
-}
-
-static void angle(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = atan2(in[0], in[1] + 0.0); /* of 0, 0 it is 0, whatever their signs */
-}
-
-static void write_vector(double *out, rl_vec3 a)
-{
-    out[0] = a.x;
-    out[1] = a.y;
-    out[2] = a.z;
-}
-
-static void direction(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    write_vector(out, v3_normalize(v3(in[0], in[1], in[2])));
-}
-
-static void mirror(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    write_vector(out,
-                 v3_reflect(v3_normalize(v3(in[3], in[4], in[5])), v3_normalize(v3(in[0], in[1], in[2]))));
-}
-
-static void luminance(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = rl_luminance(in);
-}
-
-static void fresnel_index(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = rl_fresnel_index(in[0]).n;
-}
-
-static void fresnel(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    out[0] = rl_fresnel(in[0], in[1], in[2]);
-}
-
-static void point_light(const struct rl_probe *probe, const double *in, double *out)
-{
-    (void)probe;
-    const struct rl_source source = {.at = v3(in[3], in[4], in[5]), .strength = {1.0, 1.0, 1.0}};
-    struct rl_incident incident;
-    if (!rl_incident_from_source(&incident, &source, v3(in[0], in[1], in[2])))
-        incident = (struct rl_incident){.L = {0.0, 0.0, 1.0}};
-    const double results[4] = {incident.L.x, incident.L.y, incident.L.z, incident.irradiance[0]};
-    memcpy(out, results, sizeof results);
-}
+#include "probe/functions.h"
 
 /* clang-format off */
 /* Columns that several probes have. */
@@ -161,7 +40,7 @@ static const struct rl_probe probes[] = {
         .n_out = 1,
         .in = {RR, DELTA},
         .out = {"pdf"},
-        .cpu = pdf,
+        .cpu = rl_probe_pdf,
         .modules = {"common/arctangent", "common/sine_cosine", "common/ellipsoid"},
         .glsl = "    r[0] = ellipsoid_pdf(ellipsoid_make(a[0]), a[1]);\n",
         .absolute = 1e-6,
@@ -174,7 +53,7 @@ static const struct rl_probe probes[] = {
         .n_out = 1,
         .in = {RR, DELTA},
         .out = {"u"},
-        .cpu = cdf,
+        .cpu = rl_probe_cdf,
         .modules = {"common/arctangent", "common/sine_cosine", "common/ellipsoid"},
         .glsl = "    r[0] = ellipsoid_cdf(ellipsoid_make(a[0]), a[1]);\n",
         .absolute = 1e-6,
@@ -187,7 +66,7 @@ static const struct rl_probe probes[] = {
         .n_out = 3,
         .in = {RR, {.name = "u", .low = 0.0, .high = 1.0, .rounded = true}},
         .out = {"delta", "sin_delta", "cos_delta"},
-        .cpu = inverse,
+        .cpu = rl_probe_inverse,
         .modules = {"common/arctangent", "common/sine_cosine", "common/ellipsoid"},
         .glsl = "    vec3 d = ellipsoid_inverse(ellipsoid_make(a[0]), a[1]);\n"
                 "    r = float[](d.x, d.y, d.z);\n",
@@ -197,14 +76,14 @@ static const struct rl_probe probes[] = {
     {
         .name = "frame",
         .summary = "an orthonormal tangent frame about N",
-        .cpu = frame,
+        .cpu = rl_probe_frame,
         .modules = {"common/frame"},
         FRAME_PROBE,
     },
     {
         .name = "frame-printed",
         .summary = "the tangent frame about N as the paper prints it",
-        .cpu = frame_printed,
+        .cpu = rl_probe_frame_printed,
         .modules = {"common/frame_printed"},
         FRAME_PROBE,
     },
@@ -218,7 +97,7 @@ static const struct rl_probe probes[] = {
                {.name = "n_l", OF_COSINE},
                {.name = "v_h", OF_COSINE}},
         .out = {"g"},
-        .cpu = attenuation,
+        .cpu = rl_probe_attenuation,
         .modules = {"common/attenuation"},
         .glsl = "    r[0] = attenuation(a[0], a[1], a[2], a[3]);\n",
         .absolute = 1e-37,
@@ -227,13 +106,13 @@ static const struct rl_probe probes[] = {
     {
         .name = "facets-beckmann",
         .summary = "D(delta) of Beckmann's distribution, normals per steradian; m: rms slope",
-        .cpu = facets_beckmann,
+        .cpu = rl_probe_facets_beckmann,
         FACETS_PROBE("common/beckmann"),
     },
     {
         .name = "facets-ellipsoid",
         .summary = "D(delta) of the ellipsoid over solid angle, normals per steradian; m = 1/R_r",
-        .cpu = facets_ellipsoid,
+        .cpu = rl_probe_facets_ellipsoid,
         FACETS_PROBE("common/ellipsoid_facets"),
     },
     {
@@ -243,7 +122,7 @@ static const struct rl_probe probes[] = {
         .n_out = 1,
         .in = {{.name = "y", .low = 0.0, .high = 1e18}, {.name = "x"}},
         .out = {"angle"},
-        .cpu = angle,
+        .cpu = rl_probe_angle,
         .modules = {"common/arctangent"},
         .glsl = "    r[0] = angle_of(a[0], a[1]);\n",
         .absolute = 1e-6,
@@ -258,7 +137,7 @@ static const struct rl_probe probes[] = {
         .n_vectors = 1,
         .in = {{.name = "x"}, {.name = "y"}, {.name = "z"}},
         .out = {"ux", "uy", "uz"},
-        .cpu = direction,
+        .cpu = rl_probe_direction,
         .glsl = "    vec3 u = normalize(vec3(a[0], a[1], a[2]));\n"
                 "    r = float[](u.x, u.y, u.z);\n",
         .absolute = 1e-6,
@@ -273,7 +152,7 @@ static const struct rl_probe probes[] = {
         .in =
             {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}, {.name = "vx"}, {.name = "vy"}, {.name = "vz"}},
         .out = {"lx", "ly", "lz"},
-        .cpu = mirror,
+        .cpu = rl_probe_mirror,
         .glsl =
             "    vec3 l = reflect(-normalize(vec3(a[3], a[4], a[5])), normalize(vec3(a[0], a[1], a[2])));\n"
             "    r = float[](l.x, l.y, l.z);\n",
@@ -286,7 +165,7 @@ static const struct rl_probe probes[] = {
         .n_out = 1,
         .in = {{.name = "r"}, {.name = "g"}, {.name = "b"}},
         .out = {"y"},
-        .cpu = luminance,
+        .cpu = rl_probe_luminance,
     },
     {
         .name = "reflectance-index",
@@ -295,7 +174,7 @@ static const struct rl_probe probes[] = {
         .n_out = 1,
         .in = {{.name = "f", .low = 0.0, .high = 1.0}},
         .out = {"n"},
-        .cpu = fresnel_index,
+        .cpu = rl_probe_fresnel_index,
     },
     {
         .name = "reflectance",
@@ -307,7 +186,7 @@ static const struct rl_probe probes[] = {
                {.name = "k", .low = 0.0, .high = 100.0},
                {.name = "c", .low = 0.0, .high = 1.0, .rounded = true}},
         .out = {"f"},
-        .cpu = fresnel,
+        .cpu = rl_probe_fresnel,
         .modules = {"common/fresnel"},
         .glsl = "    r[0] = fresnel(vec3(a[0]), vec3(a[1]), vec3((a[0] - 1.0) * (a[0] + 1.0)), a[2],\n"
                 "                   (1.0 - a[2]) * (1.0 + a[2])).x;\n",
@@ -322,7 +201,7 @@ static const struct rl_probe probes[] = {
         .in =
             {{.name = "px"}, {.name = "py"}, {.name = "pz"}, {.name = "qx"}, {.name = "qy"}, {.name = "qz"}},
         .out = {"lx", "ly", "lz", "e"},
-        .cpu = point_light,
+        .cpu = rl_probe_point_light,
         .modules = {"common/incident"},
         .glsl = "    Incident light = incident(vec3(a[3], a[4], a[5]) - vec3(a[0], a[1], a[2]), vec3(1.0));\n"
                 "    r = float[](light.L.x, light.L.y, light.L.z, light.irradiance.x);\n",

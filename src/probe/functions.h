@@ -1,0 +1,23 @@
+/* The functions of the model as the table of probes (table.c) names them: one row of arguments to one row of results. */
+#ifndef RL_PROBE_FUNCTIONS_H
+#define RL_PROBE_FUNCTIONS_H
+
+#include "probe/probe.h"
+
+void rl_probe_pdf(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_cdf(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_inverse(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_frame(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_frame_printed(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_attenuation(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_facets_beckmann(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_facets_ellipsoid(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_angle(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_direction(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_mirror(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_luminance(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fresnel_index(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fresnel(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_point_light(const struct rl_probe *probe, const double *in, double *out);
+
+#endif
