@@ -88,10 +88,11 @@ static inline struct rl_fur_sides rl_fur_sides(const struct rl_fur_terms *t, rl_
 
 static inline double rl_fur_kappa(rl_vec3 n, rl_vec3 l, rl_vec3 e)
 {
-    struct rl_fur_terms t = rl_fur_terms(n, l, e);
-    struct rl_fur_sides sides = rl_fur_sides(&t, n, l, e);
+    /* Not near - far: where the angle is about 90 degrees, or no angle at all, both are about 1/2. */
+    rl_vec3 a = v3_cross(n, l), b = v3_cross(n, e);
+    double kappa = v3_dot(a, b) / (fmax(v3_length(a), RL_FUR_PARALLEL) * fmax(v3_length(b), RL_FUR_PARALLEL));
     /* A cosine rounded beyond 1 would take light away where all is reflected or all transmitted. */
-    return fmin(fmax(sides.near - sides.far, -1.0), 1.0);
+    return fmin(fmax(kappa, -1.0), 1.0);
 }
 
 #endif
