@@ -1,6 +1,7 @@
 /* Functions of the model as probes have them (see functions.h). */
 #include "probe/functions.h"
 
+#include <stdint.h>
 #include <string.h>
 
 #include "model/attenuation.h"
@@ -8,7 +9,11 @@
 #include "model/facets.h"
 #include "model/frame.h"
 #include "model/fresnel.h"
+#include "model/fur.h"
+#include "model/half.h"
+#include "model/lobe.h"
 #include "model/photometry.h"
+#include "model/random.h"
 
 void rl_probe_pdf(const struct rl_probe *probe, const double *in, double *out)
 {
@@ -124,4 +129,112 @@ void rl_probe_point_light(const struct rl_probe *probe, const double *in, double
         incident = (struct rl_incident){.L = {0.0, 0.0, 1.0}};
     const double results[4] = {incident.L.x, incident.L.y, incident.L.z, incident.irradiance[0]};
     memcpy(out, results, sizeof results);
+}
+
+/* ---- Random numbers ---- */
+
+/* A number of 64 bits from its two words; the lower one may be 2^32, as a word is once it is rounded to single precision. */
+static uint64_t from_words(const double *high_low)
+{
+    return ((uint64_t)high_low[0] << 32) + (uint64_t)high_low[1];
+}
+
+/* By parts that single precision holds: the first 24 bits, the next 24, and the last 16. */
+void rl_probe_random_bits(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    uint64_t bits = rl_random_bits(from_words(in), from_words(in + 2));
+    out[0] = (double)(bits >> 40);
+    out[1] = (double)(bits >> 16 & 0xffffff);
+    out[2] = (double)(bits & 0xffff);
+}
+
+void rl_probe_random_uniform(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_random_uniform(from_words(in), from_words(in + 2));
+}
+
+/* ---- Photometry ---- */
+
+void rl_probe_flux(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_flux_of_polygon(in[0], 1);
+    out[1] = rl_flux_of_polygon(in[0], 2);
+    out[2] = rl_flux_of_body(in[0]);
+    out[3] = in[1] * rl_flux_of_point();
+}
+
+/* ---- Terms of highlights ---- */
+
+static rl_vec3 read_direction(const double *in)
+{
+    return v3_normalize(v3(in[0], in[1], in[2]));
+}
+
+void rl_probe_sine_squared(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    rl_vec3 a = read_direction(in), b = read_direction(in + 3);
+    double cosine = v3_dot(a, b);
+    out[0] = v3_sin_sin(a, b, cosine);
+    out[1] = rl_one_less_cosine(cosine, out[0]);
+}
+
+void rl_probe_half(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_half h = rl_half_make(read_direction(in), read_direction(in + 3));
+    write_vector(out, h.H);
+    out[3] = h.cosine;
+    out[4] = h.sin_sin;
+}
+
+void rl_probe_lobe(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    rl_vec3 a = read_direction(in), b = read_direction(in + 3);
+    out[0] = rl_power_of_cosine(v3_length(v3_cross(a, b)), v3_dot(a, b), in[6]);
+}
+
+/* ---- Terms of fur: n, l, e ---- */
+
+void rl_probe_fur_sine(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    out[0] = rl_fur_sine(read_direction(in), read_direction(in + 3));
+}
+
+void rl_probe_fur_cone(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_fur_angle a = rl_fur_cone(read_direction(in), read_direction(in + 3), read_direction(in + 6));
+    out[0] = rl_power_of_cosine(a.sine, a.cosine, in[9]);
+}
+
+void rl_probe_fur_cone_printed(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_fur_angle a =
+        rl_fur_cone_printed(read_direction(in), read_direction(in + 3), read_direction(in + 6));
+    out[0] = rl_power_of_cosine(a.sine, a.cosine, in[9]);
+}
+
+void rl_probe_fur_half(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    struct rl_fur_angle a = rl_fur_half(read_direction(in), read_direction(in + 3), read_direction(in + 6));
+    out[0] = a.sine;
+    out[1] = a.cosine;
+}
+
+void rl_probe_fur_kappa(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    rl_vec3 n = read_direction(in), l = read_direction(in + 3), e = read_direction(in + 6);
+    struct rl_fur_sides sides = rl_fur_sides(n, l, e);
+    out[0] = rl_fur_kappa(n, l, e);
+    out[1] = sides.near;
+    out[2] = sides.far;
 }

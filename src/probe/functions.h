@@ -19,5 +19,16 @@ void rl_probe_luminance(const struct rl_probe *probe, const double *in, double *
 void rl_probe_fresnel_index(const struct rl_probe *probe, const double *in, double *out);
 void rl_probe_fresnel(const struct rl_probe *probe, const double *in, double *out);
 void rl_probe_point_light(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_random_bits(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_random_uniform(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_flux(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_sine_squared(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_half(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_lobe(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fur_sine(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fur_cone(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fur_cone_printed(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fur_half(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_fur_kappa(const struct rl_probe *probe, const double *in, double *out);
 
 #endif

@@ -2,35 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/ellipsoid.h"
+#include "probe/columns.h"
 #include "probe/functions.h"
-
-/* clang-format off */
-/* Columns that several probes have. */
-#define RR {.name = "rr", .low = RL_RR_MIN, .high = RL_RR_MAX, .rounded = true}
-#define DELTA {.name = "delta", .low = -0.5 * RL_PI, .high = 0.5 * RL_PI, .rounded = true}
-#define OF_COSINE .low = -1.0, .high = 1.0
-
-/* Of both distributions over solid angle. */
-#define FACETS_PROBE(module) \
-    .n_in = 2, .n_out = 1, \
-    .in = {{.name = "m", .low = 1.0 / RL_RR_MAX, .high = 1.0 / RL_RR_MIN, .rounded = true}, DELTA}, \
-    .out = {"d"}, \
-    .modules = {"common/sine_cosine", module}, \
-    .glsl = "    vec2 sc = sine_cosine(abs(a[1]));\n" \
-            "    r[0] = facets(sc.y, sc.x * sc.x, a[0]);\n", \
-    .absolute = 1e-6, .relative = 1e-5
-
-/* Of both frames: columns, and GLSL where the module is linked that the probe names. */
-#define FRAME_PROBE \
-    .n_in = 3, .n_out = 6, .n_directions = 1, .n_vectors = 1, \
-    .in = {{.name = "nx"}, {.name = "ny"}, {.name = "nz"}}, \
-    .out = {"tx", "ty", "tz", "bx", "by", "bz"}, \
-    .glsl = "    mat3 f = tangent_frame(normalize(vec3(a[0], a[1], a[2])));\n" \
-            "    for (int i = 0; i < 6; i++)\n" \
-            "        r[i] = f[1 + i / 3][i % 3];\n", \
-    .absolute = 1e-6
-/* clang-format on */
 
 static const struct rl_probe probes[] = {
     {
@@ -163,18 +136,29 @@ static const struct rl_probe probes[] = {
         .summary = "luminance of linear RGB, primaries and white of BT.709",
         .n_in = 3,
         .n_out = 1,
-        .in = {{.name = "r"}, {.name = "g"}, {.name = "b"}},
+        .in = {{.name = "r", .rounded = true},
+               {.name = "g", .rounded = true},
+               {.name = "b", .rounded = true}},
         .out = {"y"},
         .cpu = rl_probe_luminance,
+        .glsl = "    r[0] = dot(vec3(0.2126, 0.7152, 0.0722), vec3(a[0], a[1], a[2]));\n",
+        .absolute = 1e-6,
+        .relative = 1e-6,
+        .bound = "for colours up to 1e37",
     },
     {
         .name = "reflectance-index",
         .summary = "n of the dielectric that reflects this part at normal incidence",
         .n_in = 1,
         .n_out = 1,
-        .in = {{.name = "f", .low = 0.0, .high = 1.0}},
+        .in = {{.name = "f", .low = 0.0, .high = 1.0, .rounded = true}},
         .out = {"n"},
         .cpu = rl_probe_fresnel_index,
+        /* (1 + sqrt f)/(1 - sqrt f), whose lower part is rounded as 1 - f is not. */
+        .glsl = "    float s = 1.0 + sqrt(a[0]);\n"
+                "    r[0] = min(s * s / max(1.0 - a[0], 4e-8), 1e8);\n",
+        .absolute = 1e-6,
+        .relative = 1e-6,
     },
     {
         .name = "reflectance",
@@ -208,6 +192,142 @@ static const struct rl_probe probes[] = {
         .absolute = 1e-6,
         .relative = 1e-6,
         .bound = "for r from 1e-15 to 1e15",
+    },
+    {
+        .name = "sine-squared",
+        .summary = "sine squared of the angle between directions, and how much less than 1 its cosine is",
+        .n_out = 2,
+        .out = {"ss", "less"},
+        .cpu = rl_probe_sine_squared,
+        OF_TWO("ax", "ay", "az", "bx", "by", "bz"),
+        .glsl = "    vec3 c = cross(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], a[5])));\n"
+                "    vec3 apart = normalize(vec3(a[0], a[1], a[2])) - normalize(vec3(a[3], a[4], a[5]));\n"
+                "    r = float[](dot(c, c), 0.5 * dot(apart, apart));\n",
+        .absolute = 1e-6,
+        .relative = 1e-6,
+    },
+    {
+        .name = "half",
+        .summary =
+            "H = (L + V)/|L + V|, 0 where they are opposite; cosine and sine squared of the angle to either",
+        .n_out = 5,
+        .out = {"hx", "hy", "hz", "cosine", "ss"},
+        .cpu = rl_probe_half,
+        OF_TWO("lx", "ly", "lz", "vx", "vy", "vz"),
+        .modules = {"common/half"},
+        .glsl = "    Half h = half_vector(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], "
+                "a[5])));\n"
+                "    vec3 H = h.cosine > 0.0 ? h.H : vec3(0.0);\n"
+                "    r = float[](H.x, H.y, H.z, h.cosine, (1.0 - h.cosine) * (1.0 + h.cosine));\n",
+        .absolute = 1e-6,
+    },
+    {
+        .name = "lobe",
+        .summary = "max(0, a.b)^n of directions",
+        .n_in = 7,
+        .n_out = 1,
+        .n_directions = 2,
+        .n_vectors = 2,
+        .in = {{.name = "ax"},
+               {.name = "ay"},
+               {.name = "az"},
+               {.name = "bx"},
+               {.name = "by"},
+               {.name = "bz"},
+               EXPONENT("n")},
+        .out = {"lobe"},
+        .cpu = rl_probe_lobe,
+        .modules = {"common/lobe"},
+        .glsl = "    r[0] = power_of_cosine(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], "
+                "a[5])), a[6]);\n",
+        .absolute = 1e-6,
+        .relative = 1e-5,
+    },
+    {
+        .name = "fur-sine",
+        .summary = "|n x l|, a fibre's share of light from l",
+        .n_out = 1,
+        .out = {"sine"},
+        .cpu = rl_probe_fur_sine,
+        OF_TWO("nx", "ny", "nz", "lx", "ly", "lz"),
+        .modules = {"common/lobe", "common/fur"},
+        .glsl =
+            "    r[0] = fur_sine(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], a[5])));\n",
+        .absolute = 1e-6,
+    },
+    {
+        .name = "fur-cone",
+        .summary = "max(0, cos(psi - theta))^p, Kajiya and Kay's highlight of fibres along n",
+        .cpu = rl_probe_fur_cone,
+        FUR_LOBE("common/fur_cone"),
+    },
+    {
+        .name = "fur-cone-printed",
+        .summary = "|cos(psi + theta)|^p, as a listing of it has it",
+        .cpu = rl_probe_fur_cone_printed,
+        FUR_LOBE("common/fur_cone_printed"),
+    },
+    {
+        .name = "fur-half",
+        .summary = "sqrt(1 - |n x h|^2) and |n x h|, h = (l + e)/2: Lengyel's highlight of fibres along n",
+        .n_in = 9,
+        .n_out = 2,
+        .n_directions = 3,
+        .n_vectors = 3,
+        .in = {FUR_DIRECTIONS},
+        .out = {"sine", "cosine"},
+        .cpu = rl_probe_fur_half,
+    },
+    {
+        .name = "fur-kappa",
+        .summary =
+            "kappa, Goldman's cosine of the angle about n between l and e; (1 + kappa)/2 and (1 - kappa)/2",
+        .n_in = 9,
+        .n_out = 3,
+        .n_directions = 3,
+        .n_vectors = 3,
+        .in = {FUR_DIRECTIONS},
+        .out = {"kappa", "near", "far"},
+        .cpu = rl_probe_fur_kappa,
+        .modules = {"common/fur_kappa"},
+        .glsl = "    float kappa = fur_kappa(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], "
+                "a[5])), normalize(vec3(a[6], a[7], a[8])));\n"
+                "    r = float[](kappa, 0.5 * (1.0 + kappa), 0.5 * (1.0 - kappa));\n",
+        .absolute = 1e-6,
+    },
+    {
+        .name = "flux",
+        .summary = "flux of area a and luminance 1: a polygon's one side, both, a closed body; of a point of "
+                   "intensity i",
+        .n_in = 2,
+        .n_out = 4,
+        .in = {{.name = "a", .low = 0.0, .high = 1e37}, {.name = "i", .low = 0.0, .high = 1e37}},
+        .out = {"side", "sides", "body", "point"},
+        .cpu = rl_probe_flux,
+        .glsl = "    const float pi = 3.14159265;\n"
+                "    r = float[](pi * a[0], 2.0 * pi * a[0], pi * a[0], 4.0 * pi * a[1]);\n",
+        .absolute = 1e-37,
+        .relative = 1e-6,
+    },
+    {
+        .name = "random-bits",
+        .summary = "the 64 bits of (seed, index), both by words of 32 bits; the first 24, then 24, then 16",
+        .out = {"first", "middle", "last"},
+        .n_out = 3,
+        .cpu = rl_probe_random_bits,
+        RANDOM_PROBE("    uvec2 b = random_bits(seed, index);\n"
+                     "    r = float[](float(b.y >> 8), float((b.y & 255u) << 16 | b.x >> 16),\n"
+                     "                float(b.x & 65535u));\n"),
+    },
+    {
+        .name = "random-uniform",
+        .summary =
+            "the number in (0, 1) of (seed, index), by words of 32 bits; in GLSL the first 23 of its 52 bits",
+        .out = {"u"},
+        .n_out = 1,
+        .cpu = rl_probe_random_uniform,
+        RANDOM_PROBE("    r[0] = random_uniform(seed, index);\n"),
+        .absolute = 6e-8,
     },
 };
 

@@ -54,7 +54,7 @@ check "too few columns" refuses '1\n' "standard input:1: found 1 columns, expect
 check "too many columns" refuses '1 0 0\n' "standard input:1: found 3 columns, expected 2" ellipsoid-pdf
 check "out of range" refuses '1 0\n\n1 2\n' "standard input:3: delta: found 2, expected -1.5708 to 1.5708" ellipsoid-pdf
 check "no direction" refuses '0 0 0\n' "standard input:1: nx, ny, nz: found the zero vector, expected a direction" frame
-check "cpu only" refuses '0.5\n' "reflectance-index: no shader has this function, expected the backend cpu" reflectance-index --backend gpu
+check "cpu only" refuses '0 0 1 0 0 1 0 0 1\n' "fur-half: no shader has this function, expected the backend cpu" fur-half --backend gpu
 unknown() { "$rl" probe nothing </dev/null 2>&1 | grep -q "^roughlight probe: function 'nothing': expected one of ellipsoid-pdf, "; }
 check "an unknown function" unknown
 listed() { "$rl" probe --help | grep -q '^    n_h n_v n_l v_h -> g$'; }

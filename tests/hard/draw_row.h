@@ -7,8 +7,10 @@
 
 static inline double draw_column(struct draw *d, const struct rl_probe_column *c)
 {
-    if (c->whole)
+    if (c->whole && c->high - c->low < 100.0)
         return c->low + (double)draw_below(d, (unsigned)(c->high - c->low) + 1);
+    if (c->whole)
+        return floor(draw_between(d, c->low, c->high));
     return c->low < c->high ? draw_between(d, c->low, c->high) : draw_any(d, d->single ? 60 : 1000);
 }
 

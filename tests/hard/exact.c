@@ -13,7 +13,7 @@
  *     NAME_single    exact answer for the arguments rounded to single precision: directions are scaled by a power of two first
  *     NAME_single_bound
  *
- * The bound is the greatest of: 8 units in the last place, for single precision 1e-5 of the answer and 1e-6; where the function has a
+ * Whole numbers as answers have the bound 0. Else the bound is the greatest of: 8 units in the last place, for single precision 1e-5 of the answer and 1e-6; where the function has a
  * size of its whole, one unit in the last place of that; and, where the argument's own rounding moves the answer by more (a badly conditioned case), twice what all arguments together move it by when each changes by one
  * unit in its last place: the answer is then exact for arguments within two units of those given (Higham, Accuracy and Stability of
  * Numerical Algorithms, section 1.5, calls that mixed stability).
@@ -77,7 +77,7 @@ static void add_moves(const struct exact_function *f, mpfr_t in[], mpfr_t out[],
         mpfr_init(there[k]);
         mpfr_set_zero(moves[k], 1);
     }
-    for (size_t i = 0; i < 2 * f->n_in; i++) {
+    for (size_t i = 0; i < 2 * f->n_in && !f->whole_numbers; i++) {
         mpfr_ptr x = in[i / 2];
         if (mpfr_nan_p(x) || mpfr_zero_p(x))
             continue;
@@ -147,7 +147,7 @@ bool exact_answer_make(struct exact_answer *a, const struct exact_function *f, c
             /* Without the sign of zero, which no bound asks for. */
             if (mpfr_zero_p(a->out[p][k]))
                 mpfr_set_zero(a->out[p][k], 1);
-            a->bound[p][k] = bound(whole, a->out[p][k], a->moves[p][k], bits[p]);
+            a->bound[p][k] = f->whole_answers ? 0.0 : bound(whole, a->out[p][k], a->moves[p][k], bits[p]);
         }
     }
     return true;

@@ -24,6 +24,8 @@ struct exact_function {
     size_t
         n_points; /* triples that follow them: positions, of which only differences and sizes to each other count */
     const char *out[EXACT_OUT_MAX];
+    bool whole_numbers; /* arguments are whole numbers: exact, so that no bound allows for their rounding */
+    bool whole_answers; /* answers as well: both precisions are asked for the answer itself */
     /* Or NULL. Of the size of what the answer is made of where that may be more than it: double precision is asked for one unit in the last
      * place of it at most. */
     double (*whole)(mpfr_t in[]);
@@ -71,6 +73,12 @@ bool exact_either_level(mpfr_t in[], int bits); /* or N.V is */
 void exact_reflectance(mpfr_t out[], mpfr_t in[]);
 void exact_fresnel(mpfr_t out[], mpfr_t in[]);
 void exact_cook_torrance(mpfr_t out[], mpfr_t in[]);
+void exact_fur_sine(mpfr_t out[], mpfr_t in[]);
+void exact_fur_cone(mpfr_t out[], mpfr_t in[]);
+void exact_fur_cone_printed(mpfr_t out[], mpfr_t in[]);
+void exact_fur_half(mpfr_t out[], mpfr_t in[]);
+double exact_fur_kappa_whole(mpfr_t in[]);
+void exact_fur_kappa(mpfr_t out[], mpfr_t in[]);
 void exact_kajiya(mpfr_t out[], mpfr_t in[]);
 void exact_kajiya_printed(mpfr_t out[], mpfr_t in[]);
 void exact_lengyel(mpfr_t out[], mpfr_t in[]);
@@ -88,5 +96,13 @@ void exact_direction(mpfr_t out[], mpfr_t in[]);
 void exact_mirror(mpfr_t out[], mpfr_t in[]);
 void exact_luminance(mpfr_t out[], mpfr_t in[]);
 void exact_reflectance_index(mpfr_t out[], mpfr_t in[]);
+
+/* exact_terms.c */
+void exact_random_bits(mpfr_t out[], mpfr_t in[]);
+void exact_random_uniform(mpfr_t out[], mpfr_t in[]);
+void exact_flux(mpfr_t out[], mpfr_t in[]);
+void exact_sine_squared(mpfr_t out[], mpfr_t in[]);
+void exact_half(mpfr_t out[], mpfr_t in[]);
+void exact_lobe(mpfr_t out[], mpfr_t in[]);
 
 #endif

@@ -70,11 +70,16 @@ void exact_lengyel(mpfr_t out[], mpfr_t in[])
     give_sum(out, in, number(1.0), length(cross(f.n, f.l)), length(cross(f.n, h)), 16);
 }
 
+static num kappa_of(const struct fibre *f)
+{
+    num least = number(1e-4);
+    vec a = cross(f->n, f->l), b = cross(f->n, f->e);
+    return over(dot(a, b), times(most_of(length(a), least), most_of(length(b), least)));
+}
+
 static num direction(const struct fibre *f, mpfr_t in[])
 {
-    num one = number(1.0), half = number(0.5), least = number(1e-4);
-    vec a = cross(f->n, f->l), b = cross(f->n, f->e);
-    num kappa = over(dot(a, b), times(most_of(length(a), least), most_of(length(b), least)));
+    num one = number(1.0), half = number(0.5), kappa = kappa_of(f);
     bool given = mpfr_nan_p(in[16]) == 0;
     num reflect = given ? times(half, plus(one, in[16])) : in[17];
     num transmit = given ? times(half, minus(one, in[16])) : in[18];
@@ -99,4 +104,61 @@ void exact_goldman(mpfr_t out[], mpfr_t in[])
 void exact_goldman_printed(mpfr_t out[], mpfr_t in[])
 {
     goldman(out, in, true);
+}
+
+/* ---- Terms; arguments are n, l, e ---- */
+
+static struct fibre term_of(mpfr_t in[])
+{
+    return (struct fibre){.n = unit(vector(in, 0)), .l = unit(vector(in, 3)), .e = unit(vector(in, 6))};
+}
+
+void exact_fur_sine(mpfr_t out[], mpfr_t in[])
+{
+    exact_begin();
+    give(out[0], length(cross(unit(vector(in, 0)), unit(vector(in, 3)))));
+}
+
+static void cone_term(mpfr_t out[], mpfr_t in[], bool printed)
+{
+    exact_begin();
+    struct fibre f = term_of(in);
+    give(out[0], power(cone(&f, printed), in[9]));
+}
+
+void exact_fur_cone(mpfr_t out[], mpfr_t in[])
+{
+    cone_term(out, in, false);
+}
+
+void exact_fur_cone_printed(mpfr_t out[], mpfr_t in[])
+{
+    cone_term(out, in, true);
+}
+
+void exact_fur_half(mpfr_t out[], mpfr_t in[])
+{
+    exact_begin();
+    struct fibre f = term_of(in);
+    vec across = cross(f.n, scaled(number(0.5), sum(f.l, f.e)));
+    num rest = minus(number(1.0), dot(across, across));
+    give(out[0], square_root(most_of(number(0.0), rest)));
+    give(out[1], length(across));
+}
+
+/* Either share is a square of half the chord of two unit vectors: as little as those are known to a unit in the last place, it may be. */
+double exact_fur_kappa_whole(mpfr_t in[])
+{
+    (void)in;
+    return 0x1p-53;
+}
+
+void exact_fur_kappa(mpfr_t out[], mpfr_t in[])
+{
+    exact_begin();
+    struct fibre f = term_of(in);
+    num one = number(1.0), half = number(0.5), kappa = kappa_of(&f);
+    give(out[0], kappa);
+    give(out[1], times(half, plus(one, kappa)));
+    give(out[2], times(half, minus(one, kappa)));
 }
