@@ -33,12 +33,20 @@ struct rl_on_line {
     double t, n;
 };
 
+/* d^2 = r^2 - v_b^2 = (v_t^2 + v_N^2) - m_b^2, for V and m are unit vectors: the difference of what is smaller, so that where the circles nearly
+ * touch it keeps the digits that V and m have. */
+static inline double rl_axes_dd(const struct rl_axes *x, double rr, double m_b)
+{
+    double v_bb = x->v_b * x->v_b;
+    return v_bb > 0.5 ? x->v_t * x->v_t + x->v_n * x->v_n - m_b * m_b : rr - v_bb;
+}
+
 /* Where the line's circle crosses the great circle of unit normal m: upwards (b.L growing along m x L) or downwards. */
 static inline struct rl_on_line rl_axes_cross(const struct rl_axes *x, rl_vec3 m, bool up)
 {
     double m_t = x->cos_theta * m.x + x->sin_theta * m.y, m_b = x->cos_theta * m.y - x->sin_theta * m.x;
     double rr = rl_most(DBL_MIN, m_t * m_t + m.z * m.z);
-    double d = sqrt(rl_most(0.0, rr - x->v_b * x->v_b));
+    double d = sqrt(rl_most(0.0, rl_axes_dd(x, rr, m_b)));
     d = up ? d : -d;
     double along = x->v_b * m_b;
     return (struct rl_on_line){(along * m_t + d * m.z) / rr, (along * m.z - d * m_t) / rr};
@@ -55,9 +63,9 @@ static inline enum rl_meeting rl_axes_meet(const struct rl_axes *x, const struct
         return next ? RL_MEETS_UPWARDS : RL_MEETS_DOWNWARDS;
     /* Both ends on one side: the arc may reach over to the other in between, where b.p has its extremum. */
     double from = c * e->from_y - s * e->from_x, to = c * e->to_y - s * e->to_x;
-    double m_t = c * e->m.x + s * e->m.y;
+    double m_t = c * e->m.x + s * e->m.y, m_b = c * e->m.y - s * e->m.x;
     bool over = side ? from < 0.0 && to > 0.0 && x->v_b > 0.0 : from > 0.0 && to < 0.0 && x->v_b < 0.0;
-    return over && m_t * m_t + e->m.z * e->m.z > x->v_b * x->v_b ? RL_MEETS_TWICE : RL_MEETS_NOT;
+    return over && rl_axes_dd(x, m_t * m_t + e->m.z * e->m.z, m_b) > 0.0 ? RL_MEETS_TWICE : RL_MEETS_NOT;
 }
 
 /* The microfacet normal that mirrors L to the eye: along V + L; near L = -V that vanishes, but it is also perpendicular to V - L. */

@@ -95,7 +95,9 @@ static inline struct places limit_place(const struct line_group *g, const struct
     rl_vec3 m = limit->m;
     vd m_t = g->cos_theta * m.x + g->sin_theta * m.y, m_b = g->cos_theta * m.y - g->sin_theta * m.x;
     vd rr = most(m_t * m_t + m.z * m.z, all(DBL_MIN));
-    vd d = limit->way * root(most(rr - g->v_b * g->v_b, all(0.0)));
+    vd v_bb = g->v_b * g->v_b, v_n = all(g->lines->v_n);
+    vd dd = choose(v_bb > 0.5, g->v_t * g->v_t + v_n * v_n - m_b * m_b, rr - v_bb);
+    vd d = limit->way * root(most(dd, all(0.0)));
     vd along = g->v_b * m_b, scale = 1.0 / rr;
     return place(g, (along * m_t + d * m.z) * scale, (along * m.z - d * m_t) * scale);
 }

@@ -8,7 +8,8 @@
  *     side of the line theta or the other as b.q is > 0 or < 0;
  *   - an edge is an arc of a great circle with unit normal m; in the line's own axes (t, b, N) the two crossings are
  *
- *         L_t = (v_b m_b m_t +- d m_N)/r^2,  L_N = (v_b m_b m_N -+ d m_t)/r^2,  r^2 = m_t^2 + m_N^2,  d^2 = r^2 - v_b^2
+ *         L_t = (v_b m_b m_t +- d m_N)/r^2,  L_N = (v_b m_b m_N -+ d m_t)/r^2,  r^2 = m_t^2 + m_N^2,
+ *         d^2 = r^2 - v_b^2 = (v_t^2 + v_N^2) - m_b^2
  *
  *     the upper sign where b.q rises along the edge. Ends on different sides: one crossing, and its sign is known; ends on the same
  *     side: two or none. The side of a vertex is decided once for both its edges, so crossings always pair up;
