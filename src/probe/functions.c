@@ -14,6 +14,7 @@
 #include "model/lobe.h"
 #include "model/photometry.h"
 #include "model/random.h"
+#include "reference/axes.h"
 
 void rl_probe_pdf(const struct rl_probe *probe, const double *in, double *out)
 {
@@ -237,4 +238,21 @@ void rl_probe_fur_kappa(const struct rl_probe *probe, const double *in, double *
     out[0] = rl_fur_kappa(n, l, e);
     out[1] = sides.near;
     out[2] = sides.far;
+}
+
+/* ---- The reference's lines ---- */
+
+/* delta where the line of azimuth theta crosses the great circle of normal m, downwards and upwards, as line.c has it. */
+void rl_probe_crossing(const struct rl_probe *probe, const double *in, double *out)
+{
+    (void)probe;
+    rl_vec3 V = read_direction(in), m = read_direction(in + 3);
+    struct rl_lines lines = {.v_x = V.x, .v_y = V.y, .v_n = V.z};
+    struct rl_axes axes = rl_axes_make(&lines, cos(in[6]), sin(in[6]));
+    for (int up = 0; up < 2; up++) {
+        struct rl_on_line L = rl_axes_cross(&axes, m, up != 0);
+        struct rl_angle normal = rl_axes_normal(&axes, L.t, L.n);
+        out[2 * up] = normal.s;
+        out[2 * up + 1] = normal.c;
+    }
 }

@@ -30,5 +30,6 @@ void rl_probe_fur_cone(const struct rl_probe *probe, const double *in, double *o
 void rl_probe_fur_cone_printed(const struct rl_probe *probe, const double *in, double *out);
 void rl_probe_fur_half(const struct rl_probe *probe, const double *in, double *out);
 void rl_probe_fur_kappa(const struct rl_probe *probe, const double *in, double *out);
+void rl_probe_crossing(const struct rl_probe *probe, const double *in, double *out);
 
 #endif

@@ -329,6 +329,25 @@ static const struct rl_probe probes[] = {
         RANDOM_PROBE("    r[0] = random_uniform(seed, index);\n"),
         .absolute = 6e-8,
     },
+    {
+        .name = "crossing",
+        .summary =
+            "sine and cosine of delta where the line of azimuth theta crosses the great circle of normal m, "
+            "both times; of no meaning where they miss each other",
+        .n_in = 7,
+        .n_out = 4,
+        .n_directions = 2,
+        .n_vectors = 2,
+        .in = {{.name = "vx"},
+               {.name = "vy"},
+               {.name = "vz", .low = 0.0, .high = 1e300},
+               {.name = "mx"},
+               {.name = "my"},
+               {.name = "mz"},
+               {.name = "theta", .low = -RL_PI, .high = RL_PI}},
+        .out = {"down_sine", "down_cosine", "up_sine", "up_cosine"},
+        .cpu = rl_probe_crossing,
+    },
 };
 
 enum { N_PROBES = sizeof probes / sizeof probes[0] };

@@ -104,5 +104,6 @@ void exact_flux(mpfr_t out[], mpfr_t in[]);
 void exact_sine_squared(mpfr_t out[], mpfr_t in[]);
 void exact_half(mpfr_t out[], mpfr_t in[]);
 void exact_lobe(mpfr_t out[], mpfr_t in[]);
+void exact_crossing(mpfr_t out[], mpfr_t in[]);
 
 #endif

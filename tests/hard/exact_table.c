@@ -120,6 +120,12 @@ const struct exact_function exact_functions[] = {
      .out = {"hx", "hy", "hz", "cosine", "ss"},
      .evaluate = exact_half},
     {.name = "lobe", .n_in = 7, .n_out = 1, .n_directions = 2, .out = {"lobe"}, .evaluate = exact_lobe},
+    {.name = "crossing",
+     .n_in = 7,
+     .n_out = 4,
+     .n_directions = 2,
+     .out = {"down_sine", "down_cosine", "up_sine", "up_cosine"},
+     .evaluate = exact_crossing},
 
     /* exact_fur.c */
     {.name = "fur-sine",

@@ -139,3 +139,37 @@ void exact_lobe(mpfr_t out[], mpfr_t in[])
     num cosine = dot(unit(vector(in, 0)), unit(vector(in, 3)));
     give(out[0], power(most_of(number(0.0), cosine), in[6]));
 }
+
+/* ---- Lines of fixed azimuth ---- */
+
+/* In the plane of t = (cos theta, sin theta, 0) and N, V's foot and all L that a normal in this plane mirrors V to lie on one circle about 0,
+ * L.b = -V.b. The plane of m cuts it along the straight line m_t x + m_n y = (V.b)(m.b): two points, or one
+ * where rounded arguments let them just miss. The normal is along V + L, or across V - L, with N on its side. */
+void exact_crossing(mpfr_t out[], mpfr_t in[])
+{
+    exact_begin();
+    mpfr_t s, c;
+    mpfr_inits(s, c, (mpfr_ptr)0);
+    mpfr_sin_cos(s, c, in[6], MPFR_RNDN);
+    vec v = unit(vector(in, 0)), m = vector(in, 3), none = {number(0.0), number(0.0), number(0.0)};
+    vec t = {c, s, none.x}, b = {minus(none.x, s), c, none.x}, n = {none.x, none.x, number(1.0)};
+    num m_t = dot(m, t), m_n = m.z, r = square_root(plus(square(m_t), square(m_n)));
+    num off = over(times(dot(v, b), dot(m, b)), r);
+    num half = minus(minus(number(1.0), square(dot(v, b))), square(off));
+    half = square_root(most_of(none.x, half));
+    /* Along the straight line b.L changes as that of m x L does: by L_t m_n - L_n m_t. */
+    vec across = scaled(over(number(1.0), r), sum(scaled(m_t, t), scaled(m_n, n)));
+    vec along = scaled(over(number(1.0), r), difference(scaled(m_n, t), scaled(m_t, n)));
+    vec v_in = sum(scaled(dot(v, t), t), scaled(dot(v, n), n));
+    for (int up = 0; up < 2; up++) {
+        vec l = sum(scaled(off, across), scaled(up ? half : minus(none.x, half), along));
+        vec h = sum(v_in, l), d = difference(v_in, l);
+        if (mpfr_cmp(length(h), length(d)) < 0)
+            h = sum(scaled(minus(none.x, dot(d, n)), t), scaled(dot(d, t), n));
+        h = unit(h);
+        bool below = sign_of(h.z) < 0;
+        give(out[2 * up], below ? minus(none.x, dot(h, t)) : dot(h, t));
+        give(out[2 * up + 1], size_of(h.z));
+    }
+    mpfr_clears(s, c, (mpfr_ptr)0);
+}
