@@ -31,11 +31,11 @@
             "        r[i] = f[1 + i / 3][i % 3];\n", \
     .absolute = 1e-6
 
-/* Of two directions: columns. */
-#define OF_TWO(ax, ay, az, bx, by, bz) \
+/* Of two directions, by the letters that columns are named after. */
+#define OF_TWO(a, b) \
     .n_in = 6, .n_directions = 2, .n_vectors = 2, \
-    .in = {{.name = ax}, {.name = ay}, {.name = az}, {.name = bx}, {.name = by}, {.name = bz}}
-#define EXPONENT(called) {.name = called, .low = 1.0, .high = 1000.0, .rounded = true}
+    .in = {{.name = #a "x"}, {.name = #a "y"}, {.name = #a "z"}, {.name = #b "x"}, {.name = #b "y"}, {.name = #b "z"}}
+#define EXPONENT(called) {.name = #called, .low = 1.0, .high = 1000.0, .rounded = true}
 
 /* Of fur: columns, and GLSL of both cones. */
 #define FUR_DIRECTIONS \
@@ -43,7 +43,7 @@
     {.name = "ex"}, {.name = "ey"}, {.name = "ez"}
 #define FUR_LOBE(module) \
     .n_in = 10, .n_out = 1, .n_directions = 3, .n_vectors = 3, \
-    .in = {FUR_DIRECTIONS, EXPONENT("p")}, \
+    .in = {FUR_DIRECTIONS, EXPONENT(p)}, \
     .out = {"lobe"}, \
     .modules = {"common/lobe", "common/fur", module}, \
     .glsl = "    vec3 n = normalize(vec3(a[0], a[1], a[2]));\n" \

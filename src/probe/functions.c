@@ -249,7 +249,7 @@ void rl_probe_crossing(const struct rl_probe *probe, const double *in, double *o
     rl_vec3 V = read_direction(in), m = read_direction(in + 3);
     struct rl_lines lines = {.v_x = V.x, .v_y = V.y, .v_n = V.z};
     struct rl_axes axes = rl_axes_make(&lines, cos(in[6]), sin(in[6]));
-    for (int up = 0; up < 2; up++) {
+    for (size_t up = 0; up < 2; up++) {
         struct rl_on_line L = rl_axes_cross(&axes, m, up != 0);
         struct rl_angle normal = rl_axes_normal(&axes, L.t, L.n);
         out[2 * up] = normal.s;

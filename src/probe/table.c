@@ -199,7 +199,7 @@ static const struct rl_probe probes[] = {
         .n_out = 2,
         .out = {"ss", "less"},
         .cpu = rl_probe_sine_squared,
-        OF_TWO("ax", "ay", "az", "bx", "by", "bz"),
+        OF_TWO(a, b),
         .glsl = "    vec3 c = cross(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], a[5])));\n"
                 "    vec3 apart = normalize(vec3(a[0], a[1], a[2])) - normalize(vec3(a[3], a[4], a[5]));\n"
                 "    r = float[](dot(c, c), 0.5 * dot(apart, apart));\n",
@@ -213,7 +213,7 @@ static const struct rl_probe probes[] = {
         .n_out = 5,
         .out = {"hx", "hy", "hz", "cosine", "ss"},
         .cpu = rl_probe_half,
-        OF_TWO("lx", "ly", "lz", "vx", "vy", "vz"),
+        OF_TWO(l, v),
         .modules = {"common/half"},
         .glsl = "    Half h = half_vector(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], "
                 "a[5])));\n"
@@ -234,7 +234,7 @@ static const struct rl_probe probes[] = {
                {.name = "bx"},
                {.name = "by"},
                {.name = "bz"},
-               EXPONENT("n")},
+               EXPONENT(n)},
         .out = {"lobe"},
         .cpu = rl_probe_lobe,
         .modules = {"common/lobe"},
@@ -249,7 +249,7 @@ static const struct rl_probe probes[] = {
         .n_out = 1,
         .out = {"sine"},
         .cpu = rl_probe_fur_sine,
-        OF_TWO("nx", "ny", "nz", "lx", "ly", "lz"),
+        OF_TWO(n, l),
         .modules = {"common/lobe", "common/fur"},
         .glsl =
             "    r[0] = fur_sine(normalize(vec3(a[0], a[1], a[2])), normalize(vec3(a[3], a[4], a[5])));\n",

@@ -161,7 +161,7 @@ void exact_crossing(mpfr_t out[], mpfr_t in[])
     vec across = scaled(over(number(1.0), r), sum(scaled(m_t, t), scaled(m_n, n)));
     vec along = scaled(over(number(1.0), r), difference(scaled(m_n, t), scaled(m_t, n)));
     vec v_in = sum(scaled(dot(v, t), t), scaled(dot(v, n), n));
-    for (int up = 0; up < 2; up++) {
+    for (size_t up = 0; up < 2; up++) {
         vec l = sum(scaled(off, across), scaled(up ? half : minus(none.x, half), along));
         vec h = sum(v_in, l), d = difference(v_in, l);
         if (mpfr_cmp(length(h), length(d)) < 0)
