@@ -27,7 +27,8 @@ if (figure eq "rows") {
     set format x "10^{%L}"
     set xrange [edge_of(1e-3, top):top]
     set yrange [words(names) + 0.6:0.4]
-    set ytics () font ",11"
+    tic_font = words(names) > 30 ? ",8" : ",11"
+    set ytics () font tic_font
     do for [i = 1:words(names)] { set ytics add (word(names, i) i) }
     if (!thumbnail) { set lmargin 24 }
     set bmargin 7
