@@ -47,6 +47,55 @@ static inline void begin_scene(struct rl_scene *scene, const char *method, bool 
         scene->source[i].name = sources[i];
 }
 
+/* A floor with a bulb above it and a square below, or at a slant, whose bounding sphere reaches over the floor. */
+struct drop_square {
+    const char *method, *effect; /* or NULL */
+    double y, slant;             /* its middle; how far one side is above that */
+    int tessellation;            /* of a ball about it, with the square inside; 0: a floor */
+    bool drops;
+};
+
+static const struct drop_square drop_squares[] = {
+    {NULL, "diffuse", -1.0, 0.0, 0, true},
+    {NULL, "diffuse-area", -1.0, 0.0, 0, true},
+    {"plain", NULL, -1.0, 0.0, 0, true},
+    {"random", NULL, -1.0, 0.0, 0, true},
+    {"reference", NULL, -1.0, 0.0, 0, true},
+    {"exhaustive", NULL, -1.0, 0.0, 0, true},
+    {NULL, "diffuse-area", -1e-3, 0.0, 0, true},
+    {"reference", NULL, -1e-3, 0.0, 0, true},
+    {NULL, "diffuse-area", -1.0, 0.9, 0, true},
+    /* A corner above, or as good as on the floor; within two texels of the horizon of the map. */
+    {NULL, "diffuse-area", -1.0, 1.1, 0, false},
+    {"reference", NULL, -1.0, 1.1, 0, false},
+    {NULL, "diffuse-area", 0.0, 0.0, 0, false},
+    {NULL, "diffuse-area", -1e-6, 0.0, 0, false},
+    {"random", NULL, -1e-3, 0.0, 0, false},
+    /* Inside of a ball, behind every facet; so coarse that its smooth normals see the corners. */
+    {NULL, "diffuse-area", 0.0, 0.3, 24, true},
+    {NULL, "diffuse-area", 0.0, 0.3, 4, false},
+};
+
+static inline void begin_square(struct rl_scene *scene, const struct drop_square *row)
+{
+    fixture_begin(scene, 48, 36);
+    fixture_camera(scene, v3(0.0, 2.0, 6.0), v3(0.0, 0.5, 0.0), 40.0);
+    int m = fixture_material(scene, 30.0, 0.0, 0.5, row->method ? 0.8 : 0.0, row->method);
+    memset(scene->material[m].effect, 0, sizeof scene->material[m].effect);
+    scene->material[m].name = "m";
+    if (row->effect)
+        rl_effect_give_colour(&scene->material[m], row->effect, 1.0, 0.9, 0.8);
+    fixture_object(scene, row->tessellation ? RL_SHAPE_SPHERE : RL_SHAPE_PLANE,
+                   row->tessellation ? row->tessellation : 4, row->tessellation ? 1.5 : 3.0,
+                   v3(0.0, 0.0, 0.0), m);
+    double half = row->tessellation ? 0.9 : 1.0;
+    fixture_quad(scene, v3(0.0, row->y, 0.0), v3(half, 0.0, 0.0), v3(0.0, row->slant, half), 1.0, 1.5, 1.0);
+    fixture_quad(scene, v3(0.0, 3.0, -1.0), v3(0.5, 0.0, 0.0), v3(0.0, 0.2, 0.5), 2.0, 1.5, 1.0);
+    scene->object[0].name = "floor";
+    scene->light[0].name = "square";
+    scene->light[1].name = "above";
+}
+
 static inline bool dropped(const struct rl_plan *plan, const char *kind, const char *name, const char *reason)
 {
     for (size_t i = 0; i < plan->n_drops; i++)

@@ -285,6 +285,28 @@ static void test_settings(void **state)
     }
 }
 
+/* A light is what its corners enclose, not its bounding sphere. */
+static void test_squares(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof drop_squares / sizeof drop_squares[0]; i++) {
+        const struct drop_square *row = &drop_squares[i];
+        struct rl_error error;
+        struct rl_scene scene;
+        struct rl_plan plan;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        settings.env_size = 64;
+        begin_square(&scene, row);
+        check_ok(rl_plan_make(&plan, &scene, &settings, &error), &error);
+        if (dropped(&plan, "light", "square", "behind every surface") != row->drops)
+            fail_msg("row %zu: %s", i, row->drops ? "not dropped" : "dropped");
+        if (!plan.on_cpu)
+            fixture_check_drop(gpu, &scene, settings);
+        rl_plan_clear(&plan);
+        fixture_end(&scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -292,6 +314,7 @@ int main(void)
         cmocka_unit_test(test_reasons),     cmocka_unit_test(test_dark_floor),
         cmocka_unit_test(test_zero_factor), cmocka_unit_test(test_dark_light),
         cmocka_unit_test(test_settings),    cmocka_unit_test(test_nothing_but_constants),
+        cmocka_unit_test(test_squares),
     };
     return cmocka_run_group_tests(tests, open_gpu, close_gpu);
 }

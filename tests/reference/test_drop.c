@@ -234,12 +234,33 @@ static void test_no_shadows(void **state)
     fixture_end(&scene);
 }
 
+/* The same of squares whose bounding spheres reach over the floor, by both methods of the CPU. */
+static void test_squares(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"reference", "exhaustive"};
+    for (size_t i = 0; i < 2 * sizeof drop_squares / sizeof drop_squares[0]; i++) {
+        const struct drop_square *row = &drop_squares[i / 2];
+        struct rl_scene scene;
+        struct rl_settings settings = RL_SETTINGS_DEFAULT;
+        settings.method = methods[i % 2];
+        settings.env_size = 32;
+        settings.tolerance = 1e-4;
+        settings.width = 24;
+        settings.height = 18;
+        begin_square(&scene, row);
+        size_t lights = check_drop(&scene, settings);
+        assert_true(lights <= row->drops || (row->method && settings.method != row->method));
+        fixture_end(&scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_same_bits),     cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_keeps_casters), cmocka_unit_test(test_keeps_dark_lights),
-        cmocka_unit_test(test_no_shadows),
+        cmocka_unit_test(test_no_shadows),    cmocka_unit_test(test_squares),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
