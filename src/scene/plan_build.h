@@ -15,6 +15,23 @@ int rl_plan_environment_program(struct rl_plan *plan);
 void rl_plan_share_environments(struct rl_plan *plan, const struct rl_scene *scene);
 void rl_plan_share_meshes(struct rl_plan *plan, const struct rl_scene *scene);
 
+/* plan_behind.c. A light as surfaces may have it behind them: what lies between its corners, all of them within a sphere (of a mesh light
+ * with many vertices the corners of its box); a point, without corners; or a direction. */
+struct rl_plan_body {
+    rl_vec3 at; /* the sphere's centre, the point, the direction */
+    double radius;
+    bool parallel;
+    size_t n_corners; /* 0: no more is known than the sphere */
+    rl_vec3 corner[RL_POLYGON_VERTICES_MAX];
+};
+
+struct rl_plan_body rl_plan_body_of_light(const struct rl_light *light);
+/* Whether all of the body is below the horizon everywhere on the object, with smooth normals. `centre`: the same as seen from the object's
+ * centre, by an angle of this sine, for what is seen from there; negative: nothing is. */
+bool rl_plan_behind(const struct rl_plan_body *body, const struct rl_object *object, double centre);
+/* The same of triangles that are shaded as a whole: the normals of their planes are no means of those at their corners. */
+bool rl_plan_behind_facets(const struct rl_plan_body *body, const struct rl_mesh *mesh);
+
 /* plan_drop.c: leaves out what cannot matter. First the objects that the camera cannot see; then, when materials have their effects and
  * methods, the lights (plan->light, plan->source) that are behind every surface that is left, and the highlights of the objects that have
  * every shaped light behind them. */

@@ -37,58 +37,6 @@ void rl_plan_drop_objects(struct rl_plan *plan, const struct rl_scene *scene)
 
 /* ---- Lights ---- */
 
-/* A light for this purpose: a sphere, or a direction. */
-struct body {
-    rl_vec3 at;
-    double radius;
-    bool parallel;
-};
-
-static rl_vec3 position(const struct rl_mesh *mesh, size_t vertex)
-{
-    return v3(mesh->position[vertex][0], mesh->position[vertex][1], mesh->position[vertex][2]);
-}
-
-/* N.(x - P) < 0 for every x of the body. `sine`: of the angle below the horizon that is asked for. */
-static bool below(const struct body *body, rl_vec3 P, rl_vec3 N, double sine)
-{
-    if (body->parallel)
-        return v3_dot(N, body->at) <= -sine;
-    rl_vec3 d = v3_sub(body->at, P);
-    return v3_dot(N, d) + body->radius <= -sine * (v3_length(d) + body->radius);
-}
-
-/* Whether the body is below the horizon everywhere on the mesh. Between vertices normal and point are weighted means of those at a
- * triangle's corners, N = sum a_i N_i (before it is made a unit vector) and P = sum a_j P_j, so that N.(x - P) is a mean of
- * N_i.(x - P_j). `centre`: the same as seen from the centre, by an angle of this sine, for what is seen from there; negative: nothing is. */
-static bool behind(const struct body *body, const struct rl_object *object, double centre)
-{
-    const struct rl_mesh *mesh = &object->mesh;
-    for (size_t t = 0; t < mesh->n_triangles; t++)
-        for (int i = 0; i < 3; i++) {
-            const float *n = mesh->normal[mesh->triangle[t][i]];
-            rl_vec3 N = v3_normalize(v3(n[0], n[1], n[2]));
-            if (centre >= 0.0 && !below(body, object->centre, N, centre))
-                return false;
-            for (int j = 0; j < 3; j++)
-                if (!below(body, position(mesh, mesh->triangle[t][j]), N, SLACK))
-                    return false;
-        }
-    return true;
-}
-
-/* The same of triangles that are shaded as a whole: the normals of their planes are no means of those at their corners. */
-static bool behind_facets(const struct body *body, const struct rl_mesh *mesh)
-{
-    for (size_t t = 0; t < mesh->n_triangles; t++) {
-        rl_vec3 P, N;
-        rl_mesh_facet(mesh, t, &P, &N);
-        if (!below(body, P, N, SLACK))
-            return false;
-    }
-    return true;
-}
-
 bool rl_plan_dark(const double strength[3])
 {
     return !(strength[0] > 0.0) && !(strength[1] > 0.0) && !(strength[2] > 0.0);
@@ -135,30 +83,25 @@ static double centre_of(const struct rl_plan *plan, const struct rl_plan_materia
 
 /* Whether this object has no use for the body, which the effects see in one of these ways. */
 static bool unseen(const struct rl_plan *plan, const struct rl_scene *scene, size_t object,
-                   const struct body *body, unsigned sees)
+                   const struct rl_plan_body *body, unsigned sees)
 {
     const struct rl_plan_material *m = rl_plan_of_object(plan, scene, object);
     if (!uses(m, sees))
         return true;
     /* A surface that is seen from both sides has no light behind it. */
     return plan->settings.culling && !looks_below(plan, m, sees) &&
-           behind(body, &scene->object[object], centre_of(plan, m, sees)) &&
+           rl_plan_behind(body, &scene->object[object], centre_of(plan, m, sees)) &&
            (m->interpolation != RL_INTERPOLATION_CONSTANT ||
-            behind_facets(body, &scene->object[object].mesh));
+            rl_plan_behind_facets(body, &scene->object[object].mesh));
 }
 
-static bool unseen_by_all(const struct rl_plan *plan, const struct rl_scene *scene, const struct body *body,
-                          unsigned sees)
+static bool unseen_by_all(const struct rl_plan *plan, const struct rl_scene *scene,
+                          const struct rl_plan_body *body, unsigned sees)
 {
     for (size_t i = 0; i < scene->n_objects; i++)
         if (plan->object[i].drawn && !unseen(plan, scene, i, body, sees))
             return false;
     return true;
-}
-
-static struct body body_of_light(const struct rl_light *light)
-{
-    return (struct body){.at = light->centre, .radius = light->radius};
 }
 
 /* Which objects some shaped light that shines is in front of. */
@@ -168,7 +111,7 @@ static void find_highlit(struct rl_plan *plan, const struct rl_scene *scene)
         bool lit = false;
         for (size_t k = 0; k < plan->n_lights && plan->object[i].drawn && !lit; k++) {
             const struct rl_light *light = &scene->light[plan->light[k]];
-            struct body body = body_of_light(light);
+            struct rl_plan_body body = rl_plan_body_of_light(light);
             lit = !rl_plan_dark(light->radiance) &&
                   !unseen(plan, scene, i, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS);
         }
@@ -183,7 +126,7 @@ void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
     size_t n = 0;
     for (size_t i = 0; i < plan->n_lights; i++) {
         const struct rl_light *light = &scene->light[plan->light[i]];
-        struct body body = body_of_light(light);
+        struct rl_plan_body body = rl_plan_body_of_light(light);
         bool nothing = rl_plan_dark(light->radiance) && !hide;
         if (!nothing && !unseen_by_all(plan, scene, &body, RL_SEES_CENTROIDS | RL_SEES_POLYGONS))
             plan->light[n++] = plan->light[i];
@@ -192,7 +135,7 @@ void rl_plan_drop_lights(struct rl_plan *plan, const struct rl_scene *scene)
     n = plan->n_points = 0;
     for (size_t i = 0; i < plan->n_sources; i++) {
         const struct rl_source *source = &scene->source[plan->source[i]];
-        const struct body body = {.at = source->at, .parallel = source->parallel};
+        const struct rl_plan_body body = {.at = source->at, .parallel = source->parallel};
         if (rl_plan_dark(source->strength) || unseen_by_all(plan, scene, &body, RL_SEES_SOURCES))
             continue;
         plan->source[n++] = plan->source[i];
