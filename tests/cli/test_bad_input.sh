@@ -221,6 +221,10 @@ light='-1,-1,2 1,-1,2 1,1,2 -1,1,2'
 bad "integrate without a light" "--light is missing" integrate --view 0,0,1 --rr 3
 bad "integrate: light with 2 vertices" "--light 1: .*2 vertices" integrate --view 0,0,1 --rr 3 --light '0,0,1 1,0,1'
 bad "integrate: vertex" "--light 1: vertex 2 .*expected three" integrate --view 0,0,1 --rr 3 --light '0,0,1 1,0 1,1,1'
+bad "integrate: vertex too far" "^roughlight integrate: --light 1: vertex 1: found 1e.300, expected coordinates from -1e.09 to 1e.09$" \
+    integrate --view 0,0,1 --rr 3 --light "1e300,0,1 1,0,1 1,1,1"
+bad "integrate: position too far" "--position: found -2e.09, expected coordinates from -1e.09 to 1e.09" \
+    integrate --view 0,0,1 --position 0,0,-2e9 --rr 3 --light "$light"
 bad "integrate: zero normal" "--normal: found the zero vector" integrate --view 0,0,1 --normal 0,0,0 --rr 3 --light "$light"
 bad "integrate: rr" "--rr: found 'nan'" integrate --view 0,0,1 --rr nan --light "$light"
 bad "integrate without a view" "--view is missing" integrate --rr 3 --light "$light"

@@ -48,9 +48,20 @@ check "a row that fails" bad
 unreadable() {
     printf "$header\n1\t0.25\n" >"$file"
     "$rl" hard "$file" >"$tmp/out" 2>"$tmp/err"
-    [ $? -eq 2 ] && grep -q "^roughlight hard: $file:2: found 2 columns, expected 9" "$tmp/err"
+    [ $? -eq 2 ] && [ ! -s "$tmp/out" ] && grep -q "^roughlight hard: $file:2: found 2 columns, expected 9" "$tmp/err"
 }
 check "a file that is wrong" unreadable
+
+# refuses MESSAGE FILE...: exit 2, one line, nothing on stdout
+refuses() {
+    want="roughlight hard: $1"
+    shift
+    "$rl" hard "$@" >"$tmp/out" 2>"$tmp/err"
+    [ $? -eq 2 ] && [ ! -s "$tmp/out" ] && [ "$(cat "$tmp/err")" = "$want" ] || { cat "$tmp/err"; return 1; }
+}
+check "no such file" refuses "$tmp/nope.tsv: cannot open: No such file or directory" "$tmp/nope.tsv"
+check "a folder" refuses ".: not a regular file" .
+check "a second file that is wrong" refuses "$tmp/nope.tsv: cannot open: No such file or directory" tests/hard/frame.tsv "$tmp/nope.tsv"
 
 catalogue() {
     "$rl" hard --backend cpu >"$tmp/out" && [ "$(tail -n +2 "$tmp/out" | wc -l)" -eq "$(ls tests/hard/*.tsv | wc -l)" ]

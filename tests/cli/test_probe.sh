@@ -55,6 +55,13 @@ check "too many columns" refuses '1 0 0\n' "standard input:1: found 3 columns, e
 check "out of range" refuses '1 0\n\n1 2\n' "standard input:3: delta: found 2, expected -1.5708 to 1.5708" ellipsoid-pdf
 check "no direction" refuses '0 0 0\n' "standard input:1: nx, ny, nz: found the zero vector, expected a direction" frame
 check "cpu only" refuses '0 0 1 0 0 1 0 0 1\n' "fur-half: no shader has this function, expected the backend cpu" fur-half --backend gpu
+eye='0 0 1 0 0 1 0 0 1'
+check "a colour in part" refuses "$eye 0.5 - - - - - - - - 0.1 0\n" \
+    "standard input:1: reflectance_g: found -, expected a number, as for reflectance_r: a colour has three channels or none" cook-torrance
+check "a colour but for its last channel" refuses "$eye - - - 1.5 1.5 - 0 0 0\n" \
+    "standard input:1: n_b: found -, expected a number, as for n_g: a colour has three channels or none" fresnel
+check "a colour without its first channel" refuses "$eye - - - 1.5 1.5 1.5 - 0 0\n" \
+    "standard input:1: k_g: found a number, expected -, as for k_r: a colour has three channels or none" fresnel
 unknown() { "$rl" probe nothing </dev/null 2>&1 | grep -q "^roughlight probe: function 'nothing': expected one of ellipsoid-pdf, "; }
 check "an unknown function" unknown
 listed() { "$rl" probe --help | grep -q '^    n_h n_v n_l v_h -> g$'; }
