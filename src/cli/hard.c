@@ -56,57 +56,72 @@ static void print_verdict(struct rl_rows *rows, const struct rl_catalogue *c,
     rl_rows_text(rows, c->why[v->row]);
 }
 
-static int judge(struct request *q, const char *path, struct rl_error *error)
+static int judge(struct request *q, const struct rl_catalogue *c, const char *path, struct rl_error *error)
 {
-    struct rl_catalogue c;
-    int status = rl_catalogue_load(&c, path, error);
-    if (status != RL_OK)
-        return status;
-    double *results = malloc(c.n_rows * c.probe.n_out * sizeof *results);
-    if (!results)
-        status = rl_fail_memory(error, "results");
+    double *results = malloc(c->n_rows * c->probe.n_out * sizeof *results);
+    int status = results ? RL_OK : rl_fail_memory(error, "results");
     for (int b = 0; b < RL_CATALOGUE_BACKENDS && status == RL_OK; b++) {
         struct rl_catalogue_verdict verdict;
-        if (!q->wants[b] || (b == RL_CATALOGUE_GPU && rl_probe_check_gpu(&c.probe, NULL) != RL_OK))
+        if (!q->wants[b] || (b == RL_CATALOGUE_GPU && rl_probe_check_gpu(&c->probe, NULL) != RL_OK))
             continue;
-        status = rl_catalogue_evaluate(&c, b == RL_CATALOGUE_GPU ? q->gpu : NULL, results, error);
+        status = rl_catalogue_evaluate(c, b == RL_CATALOGUE_GPU ? q->gpu : NULL, results, error);
         if (status != RL_OK)
             break;
-        rl_catalogue_judge(&verdict, &c, b, results);
-        print_verdict(&q->rows, &c, b, &verdict, results);
-        name_failures(&c, path, b, results);
+        rl_catalogue_judge(&verdict, c, b, results);
+        print_verdict(&q->rows, c, b, &verdict, results);
+        name_failures(c, path, b, results);
         q->n_failed += verdict.n_failed;
     }
     free(results);
-    rl_catalogue_free(&c);
+    return status;
+}
+
+/* All of them are read before anything is printed. */
+static int judge_files(struct request *q, const char *const *paths, size_t n, enum rl_output format,
+                       struct rl_error *error)
+{
+    static const char *const columns[] = {"function",  "backend",     "rows",   "failed",
+                                          "worst_ulp", "worst_share", "result", "error",
+                                          "bound",     "line",        "why",    NULL};
+    struct rl_catalogue *c = calloc(n + 1, sizeof *c);
+    size_t n_read = 0;
+    int status = c ? RL_OK : rl_fail_memory(error, "catalogues");
+    while (status == RL_OK && n_read < n) {
+        status = rl_catalogue_load(&c[n_read], paths[n_read], error);
+        n_read += status == RL_OK;
+    }
+    if (status == RL_OK) {
+        rl_rows_begin(&q->rows, format, columns);
+        for (size_t i = 0; i < n && status == RL_OK; i++)
+            status = judge(q, &c[i], paths[i], error);
+        rl_rows_end(&q->rows);
+    }
+    for (size_t i = 0; i < n_read; i++)
+        rl_catalogue_free(&c[i]);
+    free(c);
     return status;
 }
 
 /* The files named, or all of the catalogue. */
-static int judge_files(struct request *q, const struct rl_arguments *a, struct rl_error *error)
+static int judge_named(struct request *q, const struct rl_arguments *a, enum rl_output format,
+                       struct rl_error *error)
 {
     char folder[4096];
     char **paths = NULL;
     size_t n = 0;
-    int status = RL_OK;
-    if (a->n_positionals == 0) {
-        status = rl_catalogue_folder(folder, sizeof folder, error);
-        if (status == RL_OK)
-            status = rl_catalogue_list(&paths, &n, folder, error);
-    }
-    for (size_t i = 0; i < a->n_positionals && status == RL_OK; i++)
-        status = judge(q, a->positional[i], error);
-    for (size_t i = 0; i < n && status == RL_OK; i++)
-        status = judge(q, paths[i], error);
+    if (a->n_positionals > 0)
+        return judge_files(q, a->positional, a->n_positionals, format, error);
+    int status = rl_catalogue_folder(folder, sizeof folder, error);
+    if (status == RL_OK)
+        status = rl_catalogue_list(&paths, &n, folder, error);
+    if (status == RL_OK)
+        status = judge_files(q, (const char *const *)paths, n, format, error);
     rl_catalogue_list_free(paths, n);
     return status;
 }
 
 static int run(const struct rl_arguments *a, struct rl_error *error)
 {
-    static const char *const columns[] = {"function",  "backend",     "rows",   "failed",
-                                          "worst_ulp", "worst_share", "result", "error",
-                                          "bound",     "line",        "why",    NULL};
     struct request q = {.wants = {true, true}};
     enum rl_output format;
     const char *backend = rl_argument(a, "backend");
@@ -122,9 +137,7 @@ static int run(const struct rl_arguments *a, struct rl_error *error)
         status = rl_gpu_open(&q.gpu, backend, error);
     if (status != RL_OK)
         return rl_exit_of(status);
-    rl_rows_begin(&q.rows, format, columns);
-    status = judge_files(&q, a, error);
-    rl_rows_end(&q.rows);
+    status = judge_named(&q, a, format, error);
     if (q.gpu)
         rl_gpu_close(q.gpu);
     if (status == RL_OK && q.n_failed > 0)

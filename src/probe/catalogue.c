@@ -188,9 +188,10 @@ int rl_catalogue_load(struct rl_catalogue *c, const char *path, struct rl_error 
     *c = (struct rl_catalogue){0};
     struct reader r = {.c = c};
     size_t size;
-    int status = rl_catalogue_find_probe(&c->probe, path, error);
+    /* First: of a file that is not there its name is not what is wrong. */
+    int status = rl_file_read(&c->text, &size, path, error);
     if (status == RL_OK)
-        status = rl_file_read(&c->text, &size, path, error);
+        status = rl_catalogue_find_probe(&c->probe, path, error);
     if (status == RL_OK)
         status = read_lines(&r, path, error);
     if (status != RL_OK)
