@@ -2,6 +2,7 @@
 #include "cli/integrate_job.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +17,16 @@ const struct rl_method_option rl_integrate_method_options[] = {
 };
 enum { NAMES = 256 };
 
+/* A coordinate beyond what a scene may have, or 0. */
+static double too_large(rl_vec3 v)
+{
+    const double c[3] = {v.x, v.y, v.z};
+    for (int i = 0; i < 3; i++)
+        if (fabs(c[i]) > RL_LENGTH_MAX)
+            return c[i];
+    return 0.0;
+}
+
 static int take_light(struct rl_light *light, const char *text, size_t number, struct rl_error *error)
 {
     rl_vec3 vertex[RL_POLYGON_VERTICES_MAX + 1];
@@ -26,6 +37,10 @@ static int take_light(struct rl_light *light, const char *text, size_t number, s
             return rl_fail(error, RL_ERR_INPUT,
                            "--light %zu: vertex %d in '%s', expected three finite numbers x,y,z", number,
                            n + 1, text);
+        if (too_large(vertex[n]) != 0.0)
+            return rl_fail(error, RL_ERR_INPUT,
+                           "--light %zu: vertex %d: found %g, expected coordinates from %g to %g", number,
+                           n + 1, too_large(vertex[n]), -RL_LENGTH_MAX, RL_LENGTH_MAX);
         n++;
         rest += strspn(rest, " \t\n");
     }
@@ -132,6 +147,9 @@ int rl_integrate_job_take(struct rl_integrate_job *job, const struct rl_argument
             return rl_fail(error, RL_ERR_INPUT,
                            "--%s is missing; 'roughlight integrate --help' shows an example", needed[i]);
     int status = rl_argument_vector(a, "position", false, &job->surface.P, error);
+    if (status == RL_OK && too_large(job->surface.P) != 0.0)
+        status = rl_fail(error, RL_ERR_INPUT, "--position: found %g, expected coordinates from %g to %g",
+                         too_large(job->surface.P), -RL_LENGTH_MAX, RL_LENGTH_MAX);
     if (status == RL_OK)
         status = rl_argument_vector(a, "normal", true, &job->surface.N, error);
     if (status == RL_OK)

@@ -179,10 +179,13 @@ int rl_polygon_make(struct rl_polygon *polygon, const rl_vec3 *vertex, int n, st
                        RL_POLYGON_VERTICES_MAX);
     struct flat f = {.size = 0.0};
     for (int i = 0; i < n; i++) {
-        f.size = fmax(f.size, v3_length(v3_sub(vertex[i], vertex[0])));
-        if (!isfinite(vertex[i].x) || !isfinite(vertex[i].y) || !isfinite(vertex[i].z) || !isfinite(f.size))
+        if (!isfinite(vertex[i].x) || !isfinite(vertex[i].y) || !isfinite(vertex[i].z))
             return rl_fail(error, RL_ERR_INPUT, "found vertex %d (%g, %g, %g), expected finite numbers", i,
                            vertex[i].x, vertex[i].y, vertex[i].z);
+        f.size = fmax(f.size, v3_length(v3_sub(vertex[i], vertex[0])));
+        if (!isfinite(f.size))
+            return rl_fail(error, RL_ERR_INPUT,
+                           "found vertices 0 and %d farther apart than any number, expected a distance", i);
     }
     rl_vec3 sum = newell(vertex, n);
     polygon->normal = v3_normalize(sum);

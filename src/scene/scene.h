@@ -26,6 +26,10 @@
 
 enum { RL_POLYGON_VERTICES_MAX = 64 };
 
+/* Coordinates and lengths of a scene lie within +-RL_LENGTH_MAX, so that single precision and its squares
+ * hold them. */
+#define RL_LENGTH_MAX 1e9
+
 /* A planar, simple polygon of 3 to 64 vertices, convex or not; shines from both sides. */
 struct rl_polygon {
     int n;

@@ -14,9 +14,6 @@ struct rl_scene_builder {
     struct rl_error *error;
 };
 
-/* Coordinates and lengths of a scene lie within +-RL_LENGTH_MAX, so that single precision and its squares
- * hold them. */
-#define RL_LENGTH_MAX 1e9
 /* Of radiance and of colours that may be above 1. */
 #define RL_COLOUR_MAX 1e9
 
