@@ -33,8 +33,10 @@ static void add_param(struct rl_probe *probe, const struct rl_effect_param *p)
     const char *name = p->key ? p->key : probe->effect->name;
     if (p->kind != RL_EFFECT_COLOUR)
         add_column(probe, name, "", p);
-    for (int c = 0; c < 3 && p->kind == RL_EFFECT_COLOUR; c++)
+    for (int c = 0; c < 3 && p->kind == RL_EFFECT_COLOUR; c++) {
         add_column(probe, name, rgb[c], p);
+        probe->in[probe->n_in - 1].goes_on = c > 0;
+    }
 }
 
 const double *rl_probe_effect_values(const struct rl_probe *probe, const double *row)

@@ -11,6 +11,11 @@ int rl_probe_check_row(const struct rl_probe *probe, const double *row, struct r
     for (size_t i = 0; i < probe->n_in; i++) {
         const struct rl_probe_column *c = &probe->in[i];
         bool bounded = c->low < c->high;
+        if (c->optional && c->goes_on && isnan(row[i]) != isnan(row[i - 1]))
+            return rl_fail(error, RL_ERR_INPUT,
+                           "%s: found %s, expected %s, as for %s: a colour has three channels or none",
+                           c->name, isnan(row[i]) ? "-" : "a number", isnan(row[i]) ? "a number" : "-",
+                           probe->in[i - 1].name);
         if (c->optional && isnan(row[i]))
             continue;
         if (c->whole && row[i] != floor(row[i]))

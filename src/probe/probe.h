@@ -30,6 +30,7 @@ struct rl_probe_column {
     char name[RL_PROBE_NAME_MAX];
     double low, high; /* of what is taken; both 0: any finite number */
     bool optional;    /* NAN stands for a parameter that was left out */
+    bool goes_on;     /* G or B of a colour, left out where the column before it is, and only there */
     bool whole;       /* a whole number: which of an effect's choices */
     bool rounded;     /* the bound allows for RL_PROBE_ROUNDING of it, too */
 };
