@@ -71,10 +71,21 @@ void rl_probe_round_directions(float *to, const struct rl_probe *probe, const do
     }
 }
 
+/* What rounding takes out of the column's range, such as pi/2, becomes the last number of single precision in it. */
+static float round_argument(const struct rl_probe_column *c, double x)
+{
+    float rounded = (float)x;
+    if (c->low < c->high && (double)rounded > c->high)
+        return nextafterf(rounded, -INFINITY);
+    if (c->low < c->high && (double)rounded < c->low)
+        return nextafterf(rounded, INFINITY);
+    return rounded;
+}
+
 static void round_row(float *to, const struct rl_probe *probe, const double *row)
 {
     for (size_t i = 0; i < probe->n_in; i++)
-        to[i] = (float)row[i];
+        to[i] = round_argument(&probe->in[i], row[i]);
     rl_probe_round_directions(to, probe, row);
 }
 

@@ -69,7 +69,7 @@ int rl_probe_check_row(const struct rl_probe *probe, const double *row, struct r
 int rl_probe_check_gpu(const struct rl_probe *probe, struct rl_error *error);
 
 void rl_probe_cpu(const struct rl_probe *probe, const double *rows, size_t n_rows, double *results);
-/* Arguments are rounded to single precision first. RL_ERR_INPUT: as rl_probe_check_gpu. */
+/* Arguments are rounded to single precision first, those of functions of the model so that they stay in range. RL_ERR_INPUT: as rl_probe_check_gpu. */
 int rl_probe_gpu(const struct rl_probe *probe, struct rl_gpu *gpu, const double *rows, size_t n_rows,
                  double *results, struct rl_error *error);
 

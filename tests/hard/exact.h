@@ -15,7 +15,7 @@
 
 /* 120 digits: the worst cancellation of the catalogue is that of R_r = 1e12, some 50 digits in formulas written plainly. Where arguments of
  * 1e-300 count beside 1, functions take more bits of their own. */
-enum { EXACT_BITS = 400, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9 };
+enum { EXACT_BITS = 400, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9, EXACT_RANGES = 2 };
 
 struct exact_function {
     const char *name;
@@ -26,6 +26,10 @@ struct exact_function {
     const char *out[EXACT_OUT_MAX];
     bool whole_numbers; /* arguments are whole numbers: exact, so that no bound allows for their rounding */
     bool whole_answers; /* answers as well: both precisions are asked for the answer itself */
+    /* Of the first arguments, where an end of it is no number of single precision; both 0: none such. */
+    struct exact_range {
+        double low, high;
+    } range[EXACT_RANGES];
     /* Or NULL. Of the size of what the answer is made of where that may be more than it: double precision is asked for one unit in the last
      * place of it at most. */
     double (*whole)(mpfr_t in[]);
@@ -43,6 +47,7 @@ extern const size_t exact_n_functions;
 struct exact_answer {
     mpfr_t in[EXACT_IN_MAX], out[2][EXACT_OUT_MAX], moves[2][EXACT_OUT_MAX];
     double bound[2][EXACT_OUT_MAX];
+    bool strict; /* whoever makes it may set it: no bound is as wide as what the arguments' rounding does */
 };
 
 /* exact.c. False: an answer is not finite. */

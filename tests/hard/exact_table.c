@@ -1,13 +1,37 @@
 /* The functions with a catalogue. */
 #include "exact.h"
 
+/* Ranges of arguments of the ellipsoid; m is 1/R_r. */
+#define RR                                                                                                   \
+    {                                                                                                        \
+        1e-6, 1e12                                                                                           \
+    }
+#define ROUGHNESS                                                                                            \
+    {                                                                                                        \
+        1e-12, 1e6                                                                                           \
+    }
+#define DELTA                                                                                                \
+    {                                                                                                        \
+        -0x1.921fb54442d18p+0, 0x1.921fb54442d18p+0                                                          \
+    } /* +-pi/2 rounded to double precision */
 #define OF_EFFECT .n_out = 3, .out = {"r", "g", "b"}
 
 const struct exact_function exact_functions[] = {
-    {.name = "ellipsoid-pdf", .n_in = 2, .n_out = 1, .out = {"pdf"}, .evaluate = exact_ellipsoid_pdf},
-    {.name = "ellipsoid-cdf", .n_in = 2, .n_out = 1, .out = {"u"}, .evaluate = exact_ellipsoid_cdf},
+    {.name = "ellipsoid-pdf",
+     .n_in = 2,
+     .range = {RR, DELTA},
+     .n_out = 1,
+     .out = {"pdf"},
+     .evaluate = exact_ellipsoid_pdf},
+    {.name = "ellipsoid-cdf",
+     .n_in = 2,
+     .range = {RR, DELTA},
+     .n_out = 1,
+     .out = {"u"},
+     .evaluate = exact_ellipsoid_cdf},
     {.name = "ellipsoid-inverse",
      .n_in = 2,
+     .range = {RR},
      .n_out = 3,
      .out = {"delta", "sin_delta", "cos_delta"},
      .evaluate = exact_ellipsoid_inverse},
@@ -17,7 +41,12 @@ const struct exact_function exact_functions[] = {
      .n_points = 2,
      .out = {"lx", "ly", "lz", "e"},
      .evaluate = exact_point_light},
-    {.name = "reflectance", .n_in = 3, .n_out = 1, .out = {"f"}, .evaluate = exact_reflectance},
+    {.name = "reflectance",
+     .n_in = 3,
+     .range = {{0.01, 1e8}},
+     .n_out = 1,
+     .out = {"f"},
+     .evaluate = exact_reflectance},
 
     /* Effects. */
     {.name = "ambient", .n_in = 12, .n_directions = 3, OF_EFFECT, .evaluate = exact_ambient},
@@ -70,8 +99,18 @@ const struct exact_function exact_functions[] = {
      .out = {"tx", "ty", "tz", "bx", "by", "bz"},
      .evaluate = exact_frame_printed},
     {.name = "attenuation", .n_in = 4, .n_out = 1, .out = {"g"}, .evaluate = exact_attenuation},
-    {.name = "facets-beckmann", .n_in = 2, .n_out = 1, .out = {"d"}, .evaluate = exact_facets_beckmann},
-    {.name = "facets-ellipsoid", .n_in = 2, .n_out = 1, .out = {"d"}, .evaluate = exact_facets_ellipsoid},
+    {.name = "facets-beckmann",
+     .n_in = 2,
+     .range = {ROUGHNESS, DELTA},
+     .n_out = 1,
+     .out = {"d"},
+     .evaluate = exact_facets_beckmann},
+    {.name = "facets-ellipsoid",
+     .n_in = 2,
+     .range = {ROUGHNESS, DELTA},
+     .n_out = 1,
+     .out = {"d"},
+     .evaluate = exact_facets_ellipsoid},
     {.name = "angle", .n_in = 2, .n_out = 1, .out = {"angle"}, .evaluate = exact_angle},
     {.name = "direction",
      .n_in = 3,
