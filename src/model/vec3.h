@@ -67,14 +67,6 @@ static inline rl_vec3 v3_normalize(rl_vec3 a)
     return v3(a.x / length, a.y / length, a.z / length);
 }
 
-/* The sine squared of the angle between unit vectors of this cosine: by the cross product where the cosine does not know it, else by the cosine,
- * which has no part of what lengths are off by 1. */
-static inline double v3_sin_sin(rl_vec3 a, rl_vec3 b, double cosine)
-{
-    rl_vec3 across = v3_cross(a, b);
-    return fabs(cosine) > 0.7 ? v3_dot(across, across) : (1.0 - cosine) * (1.0 + cosine);
-}
-
 /* Mirror of V about the unit normal N: 2 (N.V) N - V, pointing away from the surface as V does. */
 static inline rl_vec3 v3_reflect(rl_vec3 V, rl_vec3 N)
 {

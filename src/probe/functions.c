@@ -177,29 +177,40 @@ static rl_vec3 read_direction(const double *in)
 void rl_probe_sine_squared(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    rl_vec3 a = read_direction(in), b = read_direction(in + 3);
-    double cosine = v3_dot(a, b);
-    out[0] = v3_sin_sin(a, b, cosine);
-    out[1] = rl_one_less_cosine(cosine, out[0]);
+    struct rl_pair_vec3 a = rl_pair_vec3_of(read_direction(in)), b = rl_pair_vec3_of(read_direction(in + 3));
+    struct rl_pair cosine = rl_pair_cosine(a, b), sin_sin = rl_pair_sin_sin(a, b);
+    out[0] = sin_sin.high;
+    /* Beyond 90 degrees nothing cancels. */
+    out[1] = cosine.high > 0.0 ? rl_one_less_cosine(cosine, sin_sin).high : 1.0 - cosine.high;
 }
 
 void rl_probe_half(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
     struct rl_half h = rl_half_make(read_direction(in), read_direction(in + 3));
-    write_vector(out, h.H);
-    out[3] = h.cosine;
-    out[4] = h.sin_sin;
+    bool opposite = !(h.cosine.high > 0.0);
+    write_vector(out, opposite ? v3(0.0, 0.0, 0.0) : v3_normalize(v3(h.H.x.high, h.H.y.high, h.H.z.high)));
+    out[3] = h.cosine.high;
+    out[4] = h.sin_sin.high;
+}
+
+static struct rl_pair cosine_of(const double *in)
+{
+    return rl_pair_cosine(rl_pair_vec3_of(read_direction(in)), rl_pair_vec3_of(read_direction(in + 3)));
 }
 
 void rl_probe_lobe(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    rl_vec3 a = read_direction(in), b = read_direction(in + 3);
-    out[0] = rl_power_of_cosine(v3_length(v3_cross(a, b)), v3_dot(a, b), in[6]);
+    out[0] = rl_power(cosine_of(in), in[6]);
 }
 
 /* ---- Terms of fur: n, l, e ---- */
+
+static struct rl_fur_terms read_terms(const double *in)
+{
+    return rl_fur_terms(read_direction(in), read_direction(in + 3), read_direction(in + 6));
+}
 
 void rl_probe_fur_sine(const struct rl_probe *probe, const double *in, double *out)
 {
@@ -210,31 +221,29 @@ void rl_probe_fur_sine(const struct rl_probe *probe, const double *in, double *o
 void rl_probe_fur_cone(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    struct rl_fur_angle a = rl_fur_cone(read_direction(in), read_direction(in + 3), read_direction(in + 6));
-    out[0] = rl_power_of_cosine(a.sine, a.cosine, in[9]);
+    struct rl_fur_terms t = read_terms(in);
+    out[0] = rl_power(rl_fur_cone(&t), in[9]);
 }
 
 void rl_probe_fur_cone_printed(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    struct rl_fur_angle a =
-        rl_fur_cone_printed(read_direction(in), read_direction(in + 3), read_direction(in + 6));
-    out[0] = rl_power_of_cosine(a.sine, a.cosine, in[9]);
+    struct rl_fur_terms t = read_terms(in);
+    out[0] = rl_power(rl_fur_cone_printed(&t), in[9]);
 }
 
 void rl_probe_fur_half(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
-    struct rl_fur_angle a = rl_fur_half(read_direction(in), read_direction(in + 3), read_direction(in + 6));
-    out[0] = a.sine;
-    out[1] = a.cosine;
+    out[0] = rl_fur_half(read_direction(in), read_direction(in + 3), read_direction(in + 6)).high;
 }
 
 void rl_probe_fur_kappa(const struct rl_probe *probe, const double *in, double *out)
 {
     (void)probe;
     rl_vec3 n = read_direction(in), l = read_direction(in + 3), e = read_direction(in + 6);
-    struct rl_fur_sides sides = rl_fur_sides(n, l, e);
+    struct rl_fur_terms t = rl_fur_terms(n, l, e);
+    struct rl_fur_sides sides = rl_fur_sides(&t, n, l, e);
     out[0] = rl_fur_kappa(n, l, e);
     out[1] = sides.near;
     out[2] = sides.far;

@@ -269,13 +269,13 @@ static const struct rl_probe probes[] = {
     },
     {
         .name = "fur-half",
-        .summary = "sqrt(1 - |n x h|^2) and |n x h|, h = (l + e)/2: Lengyel's highlight of fibres along n",
+        .summary = "|n x h|, h = (l + e)/2: Lengyel's highlight of fibres along n is a power of it",
         .n_in = 9,
-        .n_out = 2,
+        .n_out = 1,
         .n_directions = 3,
         .n_vectors = 3,
         .in = {FUR_DIRECTIONS},
-        .out = {"sine", "cosine"},
+        .out = {"cosine"},
         .cpu = rl_probe_fur_half,
     },
     {

@@ -15,7 +15,7 @@
 
 /* 120 digits: the worst cancellation of the catalogue is that of R_r = 1e12, some 50 digits in formulas written plainly. Where arguments of
  * 1e-300 count beside 1, functions take more bits of their own. */
-enum { EXACT_BITS = 400, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9, EXACT_RANGES = 2 };
+enum { EXACT_BITS = 400, EXACT_IN_MAX = 40, EXACT_OUT_MAX = 9, EXACT_RANGES = 4 };
 
 struct exact_function {
     const char *name;

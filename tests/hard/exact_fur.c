@@ -140,10 +140,7 @@ void exact_fur_half(mpfr_t out[], mpfr_t in[])
 {
     exact_begin();
     struct fibre f = term_of(in);
-    vec across = cross(f.n, scaled(number(0.5), sum(f.l, f.e)));
-    num rest = minus(number(1.0), dot(across, across));
-    give(out[0], square_root(most_of(number(0.0), rest)));
-    give(out[1], length(across));
+    give(out[0], length(cross(f.n, scaled(number(0.5), sum(f.l, f.e)))));
 }
 
 /* Either share is a square of half the chord of two unit vectors: as little as those are known to a unit in the last place, it may be. */

@@ -1,7 +1,7 @@
 /* The functions with a catalogue. */
 #include "exact.h"
 
-/* Ranges of arguments of the ellipsoid; m is 1/R_r. */
+/* Ranges of arguments: of the ellipsoid, where m is 1/R_r, and words of 32 bits. */
 #define RR                                                                                                   \
     {                                                                                                        \
         1e-6, 1e12                                                                                           \
@@ -14,6 +14,10 @@
     {                                                                                                        \
         -0x1.921fb54442d18p+0, 0x1.921fb54442d18p+0                                                          \
     } /* +-pi/2 rounded to double precision */
+#define WORD                                                                                                 \
+    {                                                                                                        \
+        0.0, 4294967295.0                                                                                    \
+    }
 #define OF_EFFECT .n_out = 3, .out = {"r", "g", "b"}
 
 const struct exact_function exact_functions[] = {
@@ -131,6 +135,7 @@ const struct exact_function exact_functions[] = {
     {.name = "random-bits",
      .n_in = 4,
      .n_out = 3,
+     .range = {WORD, WORD, WORD, WORD},
      .out = {"first", "middle", "last"},
      .whole_numbers = true,
      .whole_answers = true,
@@ -138,6 +143,7 @@ const struct exact_function exact_functions[] = {
     {.name = "random-uniform",
      .n_in = 4,
      .n_out = 1,
+     .range = {WORD, WORD, WORD, WORD},
      .out = {"u"},
      .whole_numbers = true,
      .evaluate = exact_random_uniform},
@@ -187,9 +193,9 @@ const struct exact_function exact_functions[] = {
      .evaluate = exact_fur_cone_printed},
     {.name = "fur-half",
      .n_in = 9,
-     .n_out = 2,
+     .n_out = 1,
      .n_directions = 3,
-     .out = {"sine", "cosine"},
+     .out = {"cosine"},
      .evaluate = exact_fur_half},
     {.name = "fur-kappa",
      .n_in = 9,
