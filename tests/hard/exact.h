@@ -50,7 +50,9 @@ struct exact_answer {
     bool strict; /* whoever makes it may set it: no bound is as wide as what the arguments' rounding does */
 };
 
-/* exact.c. False: an answer is not finite. */
+/* exact_answer.c. The two precisions by their bits; an argument of a row as one of them has it. False: an answer is not finite. */
+enum { EXACT_DOUBLE = 53, EXACT_SINGLE = 24 };
+void exact_argument(mpfr_t to, const struct exact_function *f, size_t i, double x, int bits);
 void exact_answer_init(struct exact_answer *a, const struct exact_function *f);
 bool exact_answer_make(struct exact_answer *a, const struct exact_function *f, const double *row);
 void exact_answer_clear(struct exact_answer *a, const struct exact_function *f);

@@ -181,4 +181,6 @@ void exact_random_row(double row[], struct exact_draw *d, const struct exact_fun
     for (size_t i = 3 * (f->n_directions + f->n_points); i < f->n_in; i++)
         if (!isnan(row[i]))
             row[i] = draw_argument(row[i], d, rows, n, f->n_in, i);
+    for (size_t i = 0; i < f->n_in && f->whole_numbers; i++)
+        row[i] = floor(row[i]);
 }
