@@ -1,5 +1,5 @@
-/* The hard scenes in tests/hard/scenes, small, by every method: no pixel that is not finite. One that cannot be drawn is refused with its file and line
- * instead: such a file's first line says with which words. */
+/* The hard scenes in tests/hard/scenes, small, by every method: no pixel that is not finite. One that cannot be drawn is refused with its
+ * file and line instead: such a file's first line says with which words. */
 #include "gpu/against_cpu.h"
 
 #include <dirent.h>
