@@ -119,7 +119,7 @@ LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp sleef
 HEADER_MODULES := osmesa egl
 NO_COMPILE := help clean uninstall setup format format-check fuzz
 GOALS := $(or $(MAKECMDGOALS),all)
-PURPOSES := build $(filter test report,$(GOALS:hard-answers=test)) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
+PURPOSES := build $(filter test report,$(patsubst hard%,test,$(GOALS))) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
 	$(if $(findstring clang,$(CC)),clang)
 ifneq ($(filter-out $(NO_COMPILE),$(GOALS)),)
 include $(GEN)/packages.mk
@@ -273,8 +273,8 @@ bench: all
 
 .PHONY: hard hard-answers
 ## The catalogue of hard cases against exact answers, in C and in GLSL: rows on stdout, exit 1 if one fails
-hard: all
-	@$(BUILD)/roughlight hard
+hard: all $(BUILD)/tests/hard/test_lines
+	@failed=0; $(BUILD)/roughlight hard || failed=1; $(BUILD)/tests/hard/test_lines >&2 || failed=1; exit $$failed
 
 ## Write exact answers and bounds into the catalogue of hard cases and its maps (tests/hard), from MPFR
 hard-answers: $(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines
