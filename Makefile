@@ -34,6 +34,7 @@ export CC CPPFLAGS PKG_CONFIG SETUP
 .DELETE_ON_ERROR:
 MAKEFLAGS += --no-builtin-rules
 
+.PHONY: all FORCE
 ## Build the program (the default)
 all:
 
@@ -110,7 +111,6 @@ LIBS = $(LIB_LIBS) -lembree3 -lcubature -lm -lpthread -ldl
 define write_if_changed
 	$(file >$@.new,$1)@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 endef
-.PHONY: FORCE
 FORCE:
 
 # packages.mk holds the libraries' flags. It is an included makefile, so make makes it first, which is when the set-up
@@ -169,7 +169,6 @@ $(GEN)/version.h: FORCE
 
 # ---- Compiling and linking ------------------------------------------------------------------------------------
 
-.PHONY: all
 all: $(LIBRARY) $(PROGRAM) $(SHIM)
 
 # version.h must exist before anything is compiled for the first time; later on the .d files know who uses it.
@@ -192,9 +191,15 @@ $(LIBRARY): $(call object,$(LIB_SOURCES)) $(GEN)/objects
 	$(if $(V),,@echo "  AR      $@")
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 
-$(BUILD)/roughlight: $(call object,$(MAIN)) $(EXTRA) $(LIBRARY)
+# $1: what follows objects and archive.
+define link
+	@mkdir -p $(@D)
 	$(if $(V),,@echo "  LINK    $@")
-	$(Q)$(C_LINK) $^ $(LIBS) -o $@
+	$(Q)$(C_LINK) $(filter %.o,$^) $(filter %.a,$^) $1 -o $@
+endef
+
+$(BUILD)/roughlight: $(call object,$(MAIN)) $(EXTRA) $(LIBRARY)
+	$(call link,$(LIBS))
 
 # The one file of C++; the program loads it when it first reads or writes an image.
 $(BUILD)/roughlight-oiio.so: $(call object,$(SHIM_SOURCE))
@@ -202,34 +207,22 @@ $(BUILD)/roughlight-oiio.so: $(call object,$(SHIM_SOURCE))
 	$(Q)$(CXX) -shared -fPIC $(SANITIZER) $(SHIM_SANITIZER) $(CXXFLAGS) -Wl,--as-needed $(LDFLAGS) $^ $(SHIM_LIBS) -o $@
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call object,$(TEST_SUPPORT)) $(EXTRA) $(LIBRARY)
-	@mkdir -p $(@D)
-	$(if $(V),,@echo "  LINK    $@")
-	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
+	$(call link,$(LIBS) $(TEST_LIBS))
+$(FUZZERS:%.c=$(BUILD)/%): $(call object,$(REPLAY))
 
 $(BUILD)/tests/hard/exact: $(call object,$(EXACT_SOURCES)) $(EXTRA)
 $(BUILD)/tests/hard/exact_lines: $(call object,$(EXACT_LINES_SOURCES)) $(EXTRA)
 $(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines:
-	@mkdir -p $(@D)
-	$(if $(V),,@echo "  LINK    $@")
-	$(Q)$(C_LINK) $^ -lmpfr -lgmp -lm -o $@
-
-# The harness of scenes reads no mesh files, and makes small shapes.
-$(BUILD)/tests/fuzz/scene $(BUILD)/fuzzers/scene: TEST_LIBS += -Wl,--wrap=rl_mesh_load,--wrap=rl_shape_build
-
-$(FUZZERS:%.c=$(BUILD)/%): $(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(call object,$(REPLAY)) $(EXTRA) $(LIBRARY)
-	@mkdir -p $(@D)
-	$(if $(V),,@echo "  LINK    $@")
-	$(Q)$(C_LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
+	$(call link,-lmpfr -lgmp -lm)
 
 # The same with libFuzzer; see `make fuzz`.
 $(BUILD)/fuzzers/%: $(BUILD)/obj/tests/fuzz/%.o $(EXTRA) $(LIBRARY)
-	@mkdir -p $(@D)
-	$(if $(V),,@echo "  LINK    $@")
-	$(Q)$(C_LINK) -fsanitize=fuzzer $^ $(LIBS) $(TEST_LIBS) -o $@
+	$(call link,-fsanitize=fuzzer $(LIBS) $(TEST_LIBS))
 
+# What tests take the place of: the harness of scenes reads no mesh files, and makes small shapes.
+$(BUILD)/tests/fuzz/scene $(BUILD)/fuzzers/scene: TEST_LIBS += -Wl,--wrap=rl_mesh_load,--wrap=rl_shape_build
 # It plants normals of another R_r than was asked for.
 $(BUILD)/tests/studies/test_distribution: TEST_LIBS += -Wl,--wrap=rl_ellipsoid_make
-
 # It has a clock of its own.
 $(BUILD)/tests/measure/test_timing: TEST_LIBS += -Wl,--wrap=clock_gettime
 
@@ -244,7 +237,7 @@ $(BUILD)/tests/measure/test_timing: TEST_LIBS += -Wl,--wrap=clock_gettime
 $(if $(and $(QUICK),$(FULL)),$(error QUICK and FULL: one of them, not both))
 grid = $(if $(QUICK),--quick)$(if $(FULL),--full)
 
-.PHONY: test report bench
+.PHONY: test report bench hard hard-answers check-errors faults fuzz
 ## Build, and run every test, or those that T names
 test: all $(TEST_PROGRAMS) $(BUILD)/tests/hard/exact \
 	$(if $(filter tests/hard/test_exact_lines.sh,$(TESTS)),$(BUILD)/tests/hard/exact_lines)
@@ -271,7 +264,6 @@ bench: all
 	@for table in accuracy_points accuracy_images accuracy_kernel bare; do cat $(BUILD)/tables/$$table.tsv; echo; done
 	@awk -F '\t' 'NR == 1 || $$7 == "accuracy" || $$7 == "bare"' $(BUILD)/tables/claims.tsv
 
-.PHONY: hard hard-answers
 ## The catalogue of hard cases against exact answers, in C and in GLSL: rows on stdout, exit 1 if one fails
 hard: all $(BUILD)/tests/hard/test_lines
 	@failed=0; $(BUILD)/roughlight hard || failed=1; $(BUILD)/tests/hard/test_lines >&2 || failed=1; exit $$failed
@@ -283,12 +275,10 @@ hard-answers: $(BUILD)/tests/hard/exact $(BUILD)/tests/hard/exact_lines
 	$(BUILD)/tests/hard/exact_lines tests/hard/lights/lights.tsv
 
 # Before anything is built for it.
-all_faults := $(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch)))
-no_faults := $(filter-out $(all_faults),$(F:.patch=))
-$(if $(and $(no_faults),$(filter faults,$(GOALS))),\
-	$(error no fault is called '$(no_faults)'; there are: $(all_faults)))
+unknown = $(filter-out $1,$(F:.patch=))
+check_names = $(if $(and $(unknown),$(filter $2,$(GOALS))),$(error no $3 is called '$(unknown)'; there are: $1))
+$(call check_names,$(patsubst tests/faults/%.patch,%,$(sort $(wildcard tests/faults/*.patch))),faults,fault)
 
-.PHONY: check-errors faults
 ## Has an error metric changed since tests/baseline.tsv? Rows on stdout, exit 1 if one is worse
 check-errors: all
 	@$(BUILD)/roughlight study check
@@ -298,14 +288,11 @@ faults: all
 	@BUILD=$(BUILD) tests/faults/run.sh $(F)
 
 all_fuzzers := $(FUZZERS:tests/fuzz/%.c=%)
-no_fuzzers := $(filter-out $(all_fuzzers),$(F))
-$(if $(and $(no_fuzzers),$(filter fuzz,$(GOALS))),\
-	$(error no fuzzer is called '$(no_fuzzers)'; there are: $(all_fuzzers)))
+$(call check_names,$(all_fuzzers),fuzz,fuzzer)
 fuzzers := $(or $(F),$(all_fuzzers))
 
 # libFuzzer is clang's. Its objects go into a folder of their own; what is found, into its findings; inputs that reach new code, into its
 # corpus, from where the next run goes on.
-.PHONY: fuzz
 ## Fuzz scene files, integrate, probe, merge and mesh files (libFuzzer), 10 min each; findings go to build/fuzz/findings
 fuzz:
 	@$(MAKE) --no-print-directory CC=$(if $(findstring clang,$(CC)),$(CC),clang) BUILD=$(BUILD)/fuzz \
