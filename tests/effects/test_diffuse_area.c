@@ -171,11 +171,30 @@ static void test_far(void **state)
     check_relative(form_factor(origin, z, r, 4), 0.8 * 0.96 / 1e6 / RL_PI, 2e-3);
 }
 
+/* Irradiance has no unit of length. */
+static void test_sizes(void **state)
+{
+    (void)state;
+    for (int e = -307; e <= 307; e++) {
+        double size = pow(10.0, e);
+        const rl_vec3 vertex[] = {v3(size, 0.0, size), v3(0.0, size, size), v3(-size, -size, size)};
+        double value = form_factor(origin, z, vertex, 3);
+        if (!(fabs(value - 0.3003491900968692) < 1e-15))
+            fail_msg("sized 1e%d: %.17g, expected 0.3003491900968692", e, value);
+    }
+    /* Differences beyond the range of numbers. */
+    const rl_vec3 far[] = {v3(1.7e308, 0.0, 1.7e308), v3(0.0, 1.7e308, 1.7e308),
+                           v3(-1.7e308, -1.7e308, 1.7e308)};
+    assert_true(fabs(form_factor(origin, z, far, 3) - 0.3003491900968692) < 1e-15);
+    assert_true(isfinite(form_factor(v3(0.0, 0.0, -1.7e308), z, far, 3)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rectangles), cmocka_unit_test(test_corners),    cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_parts),      cmocka_unit_test(test_directions), cmocka_unit_test(test_far),
+        cmocka_unit_test(test_parts),      cmocka_unit_test(test_directions), cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_far),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

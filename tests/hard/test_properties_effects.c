@@ -47,13 +47,6 @@ static void check_range(const struct rl_probe *p, const double *in, const double
         require(out[0] == 0.0 && out[1] == 0.0 && out[2] == 0.0, in, p->n_in);
 }
 
-/* Whether P lies in the triangle's plane, as far as numbers know: what it then sees is one side or the other. */
-static bool in_its_plane(const double *in)
-{
-    rl_vec3 a = unit(in + 6), b = unit(in + 9), c = unit(in + 12);
-    return fabs(v3_dot(a, v3_cross(b, c))) < 1e-12;
-}
-
 static bool same(const double a[3], const double b[3])
 {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
@@ -66,8 +59,6 @@ static void check_mirror(const struct rl_probe *p, const double *in, const doubl
     memcpy(mirrored, in, p->n_in * sizeof *in);
     memcpy(halved, in, p->n_in * sizeof *in);
     bool whole = true;
-    if (p->polygon && in_its_plane(in))
-        return;
     for (size_t i = 0; i < 3 * p->n_vectors; i++) {
         mirrored[i] *= i % 3 == 0 ? -1.0 : 1.0;
         halved[i] *= 0.5;
