@@ -20,18 +20,51 @@
  * keep their relative precision. What still cancels is a light in a plane through the horizon, seen edge on from all sides: its irradiance
  * has an error of 1e-17.
  *
- * P on an edge's line has no gamma there and the angle 0 or pi: such edges give 0. P in the polygon's plane receives nothing from a polygon
- * that it is not in; on an edge or inside of one it gets a value between those of its two sides.
+ * P on an edge's line has no gamma there and the angle 0 or pi: such edges give 0. P in the polygon's plane, as far as the coordinates'
+ * rounding lets one know, receives nothing: the sum would be that of one side of the plane, or of the other (model/plane.h).
  *
  * Polygons of a closed mesh count half: a ray into a convex body meets two of its faces (src/scene/seen_lights.c). */
 #include "effects/lambert.h"
+#include "model/plane.h"
 
-/* A polygon as P sees it: what is above the horizon, edge by edge. */
+/* A polygon as P sees it: what is above the horizon, edge by edge. Irradiance has no unit of length: coordinates times `down`, a power of two
+ * that is less than 1 where they are so large that differences may overflow, differences times `up` as well, so that they are about 1. */
 struct outline {
-    rl_vec3 P, N;
+    rl_vec3 P, N; /* P: times down */
     const rl_vec3 *vertex;
     int n;
+    double down, up;
 };
+
+static double farthest(const rl_vec3 *vertex, int n, rl_vec3 P, double scale)
+{
+    double most = 0.0;
+    for (int i = 0; i < n; i++) {
+        rl_vec3 d = v3_sub(v3_scale(scale, vertex[i]), v3_scale(scale, P));
+        most = fmax(most, fmax(fabs(d.x), fmax(fabs(d.y), fabs(d.z))));
+    }
+    return most;
+}
+
+static struct outline outline_of(const struct rl_surface *s, const rl_vec3 *vertex, int n)
+{
+    const double large = 0x1p1000;
+    double most = farthest(vertex, n, s->P, 1.0), down = most < large ? 1.0 : 0x1p-1020;
+    most = down < 1.0 ? farthest(vertex, n, s->P, down) : most;
+    /* The inverse is a number, too. */
+    int e = most > 0.0 ? ilogb(most) : 0;
+    return (struct outline){v3_scale(down, s->P), s->N, vertex, n, down, ldexp(1.0, e < -1020 ? 1020 : -e)};
+}
+
+static rl_vec3 vertex_of(const struct outline *o, int i)
+{
+    return v3_scale(o->down, o->vertex[i]);
+}
+
+static rl_vec3 difference(const struct outline *o, rl_vec3 a, rl_vec3 b)
+{
+    return v3_scale(o->up, v3_sub(a, b));
+}
 
 /* The part of an edge that is above the horizon: its ends from P and from the light's own point of reference, and one end to the other,
  * without a difference of what is far from P. */
@@ -44,9 +77,13 @@ struct part {
 /* The i-th edge's, or false: none of it is. */
 static bool part_of_edge(struct part *e, const struct outline *o, int i, rl_vec3 ref)
 {
-    rl_vec3 from = o->vertex[i > 0 ? i - 1 : o->n - 1], to = o->vertex[i], edge = v3_sub(to, from);
-    *e = (struct part){
-        v3_sub(from, o->P), v3_sub(to, o->P), v3_sub(from, ref), v3_sub(to, ref), edge, 0.0, false, false};
+    rl_vec3 from = vertex_of(o, i > 0 ? i - 1 : o->n - 1), to = vertex_of(o, i),
+            edge = difference(o, to, from);
+    *e = (struct part){.a = difference(o, from, o->P),
+                       .b = difference(o, to, o->P),
+                       .a_ref = difference(o, from, ref),
+                       .b_ref = difference(o, to, ref),
+                       .along = edge};
     /* a x b = a x (b - a) = b x (b - a): nothing cancels, nor, by the shorter one, where one end is near. */
     rl_vec3 gamma = v3_normalize(v3_cross(v3_dot(e->a, e->a) < v3_dot(e->b, e->b) ? e->a : e->b, edge));
     e->gamma_N = v3_dot(o->N, gamma);
@@ -134,7 +171,7 @@ static double edge_sum(const struct outline *o)
         return 0.0;
     double r = v3_length(ref), sum = 0.0, area = 0.0;
     bool crossed = false;
-    rl_vec3 at = v3_add(o->P, ref);
+    rl_vec3 at = v3_madd(o->P, 1.0 / o->up, ref);
     for (int i = 0; i < o->n; i++) {
         struct part e;
         if (!part_of_edge(&e, o, i, at))
@@ -162,8 +199,9 @@ static double edge_sum(const struct outline *o)
 
 static void area(const struct rl_surface *s, const rl_vec3 *vertex, int n, double params[][4], double rgb[3])
 {
-    const struct outline o = {s->P, s->N, vertex, n};
-    double irradiance = 0.5 * fabs(edge_sum(&o));
+    const struct outline o = outline_of(s, vertex, n);
+    bool in_plane = rl_plane_distance(vertex, (size_t)n, s->P, RL_UNIT_DOUBLE) == 0.0;
+    double irradiance = in_plane ? 0.0 : 0.5 * fabs(edge_sum(&o));
     for (int c = 0; c < 3; c++)
         rgb[c] = params[0][c] * irradiance;
 }

@@ -83,6 +83,8 @@ struct rl_lights {
     struct rl_area_light *area;   /* every polygon of every shaped light */
     struct rl_point_light *point; /* every shaped light */
     const struct rl_source *source;
+    double
+        unit; /* of rounding of the points that see them (model/plane.h): a polygon in whose plane they lie gives nothing */
 };
 
 /* Light from one direction: unit L, the irradiance on a plane perpendicular to it, and how far it has come. */

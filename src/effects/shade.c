@@ -1,6 +1,8 @@
 /* The sums over lights that turn effects into a colour (see effect.h). */
 #include "effects/effect.h"
 
+#include "model/plane.h"
+
 /* d/2^e and 4^e, e chosen so that the square of d is a number: below 1e-140 units and above 1e140 it would be 0, rough or infinite. */
 static double bring_near(rl_vec3 *d)
 {
@@ -62,6 +64,7 @@ struct sum {
     const struct rl_surface *s;
     const struct rl_visibility *visibility; /* NULL: nothing hides the lights */
     double *rgb, *error;
+    double unit; /* of rounding, of s->P */
 };
 
 static void add_incident(const struct sum *sum, const struct rl_incident *incident, unsigned sees)
@@ -86,6 +89,9 @@ static void add_incident(const struct sum *sum, const struct rl_incident *incide
 static void add_area(const struct sum *sum, const struct rl_area_light *light, size_t index)
 {
     double part[3], share = 1.0, error = 0.0;
+    if (sum->unit > RL_UNIT_DOUBLE &&
+        rl_plane_distance(light->vertex, (size_t)light->n, sum->s->P, sum->unit) == 0.0)
+        return;
     bool asked = !sum->visibility;
     for (size_t i = 0; i < sum->n; i++) {
         if (!sum->effects[i]->area)
@@ -112,7 +118,7 @@ void rl_effects_shade_within(const struct rl_effect *const *effects, size_t n,
                              double params[][RL_EFFECT_PARAMS][4], const struct rl_surface *s,
                              const struct rl_lights *lights, double rgb[3], double error[3])
 {
-    const struct sum sum = {effects, n, params, s, lights->visibility, rgb, error};
+    const struct sum sum = {effects, n, params, s, lights->visibility, rgb, error, lights->unit};
     struct rl_incident incident;
     double part[3];
     rgb[0] = rgb[1] = rgb[2] = 0.0;

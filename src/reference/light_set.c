@@ -1,6 +1,8 @@
 /* Builds light sets (see light_set.h). */
 #include "reference/light_set.h"
 
+#include "model/plane.h"
+
 #include <stdlib.h>
 
 static int allocate(struct rl_light_set **out, size_t n_lights, size_t n_polygons, size_t n_vertices,
@@ -72,12 +74,14 @@ static void add_polygon(struct rl_light_set *set, const rl_vec3 *vertex, size_t 
         off = fmax(off, fabs(v3_dot(polygon.normal, from_first)));
     }
     polygon.thickness = 2.0 * off + 4e-15 * size;
+    polygon.most = rl_plane_most(vertex, n);
     set->polygon[set->n_polygons++] = polygon;
     set->n_vertices += n;
 }
 
 static int finish(struct rl_light_set **set, struct rl_error *error)
 {
+    (*set)->unit = RL_UNIT_DOUBLE;
     if ((*set)->n_polygons < 1 || (*set)->whole_polygons < 2 || (*set)->n_radiances > 1)
         return RL_OK;
     int status = rl_light_set_find_twins(*set, error);

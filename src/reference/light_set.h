@@ -15,6 +15,7 @@ struct rl_set_polygon {
         radiance; /* index; lights of equal radiance share one, since which of them is seen makes no difference */
     rl_vec3 normal;   /* unit; counter-clockwise seen from its tip */
     double thickness; /* how far any vertex lies off the plane, and what rounding adds */
+    rl_vec3 most;     /* rl_plane_most */
 };
 
 /* What lies across an edge. */
@@ -35,6 +36,7 @@ struct rl_light_set {
     double brightest;                      /* component of any radiance */
     size_t whole_polygons, whole_vertices; /* of all lights, kept or not */
     bool grey;                             /* the components of each radiance are equal */
+    double unit; /* of rounding of the points that see them (model/plane.h); RL_UNIT_DOUBLE as made */
 };
 
 /* Of these lights only those of the indices `kept`, ascending, for the others are nowhere to be seen: what the integral of those that are

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "model/plane.h"
+
 static void make_shader(struct rl_render_shader *s, const struct rl_scene *scene,
                         const struct rl_plan_material *m)
 {
@@ -57,8 +59,11 @@ static int make_lights(struct rl_render_job *job, struct rl_error *error)
             if (plan->source[k] == i)
                 job->source[job->seen.n_sources++] = scene->source[i];
     job->seen.source = job->source;
-    return rl_light_set_make_kept(&job->lights, scene->light, scene->n_lights, plan->light, plan->n_lights,
-                                  error);
+    status = rl_light_set_make_kept(&job->lights, scene->light, scene->n_lights, plan->light, plan->n_lights,
+                                    error);
+    if (status == RL_OK)
+        job->lights->unit = RL_UNIT_SINGLE;
+    return status;
 }
 
 static int make_visible(struct rl_render_job *job, struct rl_error *error)

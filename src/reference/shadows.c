@@ -35,6 +35,8 @@ static int make_areas(struct rl_shadows *s, const struct rl_scene *scene, const 
             area->light = light;
             status = rl_light_set_from_polygons(&area->set, &polygon->vertex,
                                                 &(const size_t){(size_t)polygon->n}, 1, error);
+            if (status == RL_OK)
+                area->set->unit = s->lights->unit;
             s->n_areas += status == RL_OK;
         }
     }

@@ -1,6 +1,7 @@
 /* The lights of a scene as effects see them (struct rl_lights). */
 #include <stdlib.h>
 
+#include "model/plane.h"
 #include "scene/plan.h"
 
 struct rl_point_light rl_light_as_point(const struct rl_light *light)
@@ -38,6 +39,7 @@ static int make(struct rl_lights *lights, const struct rl_scene *scene, const si
     if (!lights->point || !lights->area)
         return rl_fail_memory(error, "the lights");
     lights->n_points = n;
+    lights->unit = RL_UNIT_SINGLE;
     for (size_t i = 0; i < n; i++) {
         const struct rl_light *light = &scene->light[index ? index[i] : i];
         lights->point[i] = rl_light_as_point(light);

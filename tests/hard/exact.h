@@ -43,6 +43,9 @@ struct exact_function {
 extern const struct exact_function exact_functions[];
 extern const size_t exact_n_functions;
 
+/* What a 1 is rounded by in the precision of the arguments that are evaluated: 2^-52 or 2^-23. */
+extern double exact_unit;
+
 /* Of one row. [0]: of double precision, [1]: of single. */
 struct exact_answer {
     mpfr_t in[EXACT_IN_MAX], out[2][EXACT_OUT_MAX], moves[2][EXACT_OUT_MAX];

@@ -108,6 +108,7 @@ bool exact_answer_make(struct exact_answer *a, const struct exact_function *f, c
     for (int p = 0; p < 2; p++) {
         for (size_t i = 0; i < f->n_in; i++)
             exact_argument(a->in[i], f, i, row[i], bits[p]);
+        exact_unit = ldexp(1.0, 1 - bits[p]);
         f->evaluate(a->out[p], a->in);
         add_moves(f, a->in, a->out[p], a->moves[p], bits[p]);
     }

@@ -4,6 +4,7 @@
  *     k_d/pi max(0, N.L)                                     of light from L (Lambert 1760)
  *     k_d/pi |1/2 sum of angle_i (gamma_i . N)|              of a polygon, with what is below the horizon N.v = 0 cut off;
  *                                                            gamma_i along v_i x v_i+1, angle_i between v_i and v_i+1
+ *                                                            0 of one in whose plane P is but for rounding (src/model/plane.h)
  *     (Q - P)/|Q - P|, 1/|Q - P|^2                           of a point light at Q; at P itself it gives nothing
  */
 #include "exact_arithmetic.h"
@@ -41,6 +42,25 @@ static size_t clip(vec to[], const vec v[], size_t n, vec N)
     return made;
 }
 
+double exact_unit = 0x1p-52;
+
+/* What the model's convention has as in the triangle's plane, P being 0: |A.v_0| at most some units of the coordinates' size, axis by axis;
+ * A = (v_1 - v_0) x (v_2 - v_0). In single precision 2 units, in double 16. */
+static bool is_in_plane(const vec v[3])
+{
+    vec A = cross(difference(v[1], v[0]), difference(v[2], v[0])),
+        most = {number(0.0), number(0.0), number(0.0)};
+    for (size_t i = 0; i < 3; i++) {
+        most.x = most_of(most.x, size_of(v[i].x));
+        most.y = most_of(most.y, size_of(v[i].y));
+        most.z = most_of(most.z, size_of(v[i].z));
+    }
+    num size =
+        plus(times(size_of(A.x), most.x), plus(times(size_of(A.y), most.y), times(size_of(A.z), most.z)));
+    num units = number(exact_unit * (exact_unit > 0x1p-52 ? 2.0 : 16.0));
+    return sign_of(minus(size_of(dot(A, v[0])), times(units, size))) <= 0;
+}
+
 void exact_diffuse_area_polygon(mpfr_t out[], mpfr_t in[])
 {
     exact_begin();
@@ -56,7 +76,7 @@ void exact_diffuse_area_polygon(mpfr_t out[], mpfr_t in[])
         if (sign_of(size) > 0)
             total = plus(total, times(angle(size, dot(a, b)), over(dot(N, across), size)));
     }
-    num irradiance = times(number(0.5), size_of(total));
+    num irradiance = is_in_plane(v) ? number(0.0) : times(number(0.5), size_of(total));
     for (int c = 0; c < 3; c++)
         give(out[c], over(times(in[15 + c], irradiance), pi()));
 }

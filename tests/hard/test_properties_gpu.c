@@ -15,7 +15,7 @@
 #include "support/check.h"
 
 enum { ROWS = 100000, SHOWN = 2 };
-static const uint64_t seed = 20261129;
+static uint64_t seed = 20261129; /* or $HARD_SEED */
 
 static struct rl_gpu *gpu;
 
@@ -83,7 +83,7 @@ static void show(const struct rl_probe *p, const char *what, size_t k, const dou
 static void compare(struct found *found, const struct rl_probe *p, const double *row, const double *cpu,
                     const double *shader)
 {
-    bool free = has_tiny(p, row) || is_undecided(p, row);
+    bool free = has_tiny(p, row) || is_undecided(p, row) || in_plane_by_rounding(p, row);
     for (size_t k = 0; k < p->n_out; k++) {
         double off = fabs(shader[k] - cpu[k]), allowed = p->absolute + p->relative * fabs(cpu[k]);
         double rounding[RL_PROBE_OUT_MAX] = {0.0};
@@ -137,6 +137,8 @@ static void test_shaders(void **state)
     (void)state;
     struct rl_probe p;
     size_t tested = 0, bad = 0;
+    const char *other = getenv("HARD_SEED");
+    seed = other ? strtoull(other, NULL, 10) : seed;
     print_message("seed %llu\n", (unsigned long long)seed);
     for (size_t k = 0; rl_probe_at(&p, k); k++) {
         if (rl_probe_check_gpu(&p, NULL) != RL_OK)

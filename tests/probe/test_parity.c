@@ -154,6 +154,8 @@ static void compare_row(struct worst *worst, const struct rl_probe *p, const dou
                         const double *shader, bool hard)
 {
     double rounding[RL_PROBE_OUT_MAX] = {0.0};
+    if (in_plane_by_rounding(p, row))
+        return;
     rounding_add(p, row, cpu, rounding);
     for (size_t k = 0; k < p->n_out; k++) {
         double off = fabs(shader[k] - cpu[k]), value = fabs(cpu[k]);
