@@ -9,5 +9,6 @@ void main()
     vec3 rgb = shade_effects(s);
     if (dot(s.N, s.V) > 0.0)
         rgb += specular * shade_highlight(s);
-    colour = vec4(rgb, 1.0);
+    // Beyond single precision: its largest number, as in src/reference/renderer.c.
+    colour = vec4(min(rgb, vec3(3.4028234e38)), 1.0);
 }

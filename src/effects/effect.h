@@ -94,9 +94,11 @@ struct rl_incident {
     double distance; /* INFINITY: parallel */
 };
 
-/* What arrives at P. False: the light is at P itself and has no direction, and gives nothing. */
+/* What arrives at P. False: the light is at P itself and has no direction, and gives nothing; nor does a flat one in whose plane P is by its
+ * coordinates' rounding (`unit`, model/plane.h). */
 bool rl_incident_from_source(struct rl_incident *incident, const struct rl_source *source, rl_vec3 P);
-bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_point_light *light, rl_vec3 P);
+bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_point_light *light, rl_vec3 P,
+                               double unit);
 
 /* ---- Parameters ---- */
 

@@ -14,18 +14,24 @@ static double bring_near(rl_vec3 *d)
     return ldexp(1.0, e) * ldexp(1.0, e);
 }
 
-/* L and radiance to the light's side, and x/r^2 for each x of `strength`. False where there is no direction, or one of the x/r^2 is
- * beyond the range of numbers: so near a light is where P is. */
-static bool arrive(struct rl_incident *incident, rl_vec3 d, const double strength[3])
+/* L from P to the light at Q, and x/r^2 for each x of `strength`. False where there is no direction, or one of the x/r^2 is beyond the range
+ * of numbers: so near a light is where P is. */
+static bool arrive(struct rl_incident *incident, rl_vec3 Q, rl_vec3 P, const double strength[3])
 {
+    rl_vec3 d = v3_sub(Q, P);
+    double half = 1.0;
+    if (!isfinite(d.x) || !isfinite(d.y) || !isfinite(d.z)) {
+        half = 0.5;
+        d = v3_sub(v3_scale(half, Q), v3_scale(half, P));
+    }
     double unit = bring_near(&d), r_r = v3_dot(d, d);
     if (!(r_r > 0.0))
         return false;
-    incident->L = v3_scale(1.0 / sqrt(r_r), d);
-    incident->distance = sqrt(r_r) * sqrt(unit);
+    incident->L = v3_normalize(d);
+    incident->distance = sqrt(r_r) * sqrt(unit) / half;
     bool finite = true;
     for (int c = 0; c < 3; c++) {
-        incident->irradiance[c] = strength[c] > 0.0 ? strength[c] / r_r / unit : 0.0;
+        incident->irradiance[c] = strength[c] > 0.0 ? strength[c] / r_r / unit * half * half : 0.0;
         finite = finite && isfinite(incident->irradiance[c]);
     }
     return finite;
@@ -34,7 +40,7 @@ static bool arrive(struct rl_incident *incident, rl_vec3 d, const double strengt
 bool rl_incident_from_source(struct rl_incident *incident, const struct rl_source *source, rl_vec3 P)
 {
     if (!source->parallel)
-        return arrive(incident, v3_sub(source->at, P), source->strength);
+        return arrive(incident, source->at, P, source->strength);
     incident->L = source->at;
     incident->distance = INFINITY;
     for (int c = 0; c < 3; c++)
@@ -42,19 +48,20 @@ bool rl_incident_from_source(struct rl_incident *incident, const struct rl_sourc
     return true;
 }
 
-bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_point_light *light, rl_vec3 P)
+bool rl_incident_from_centroid(struct rl_incident *incident, const struct rl_point_light *light, rl_vec3 P,
+                               double unit)
 {
-    rl_vec3 d = v3_sub(light->position, P);
-    double r_r = v3_dot(d, d);
-    if (!(r_r > 0.0))
-        return false;
-    incident->L = v3_scale(1.0 / sqrt(r_r), d);
-    incident->distance = sqrt(r_r);
-    bool flat = v3_dot(light->normal, light->normal) > 0.0;
-    double facing = flat ? fabs(v3_dot(light->normal, incident->L)) : 1.0;
+    rl_vec3 Q = light->position, d = v3_sub(v3_scale(0.5, Q), v3_scale(0.5, P));
+    double facing = 1.0, strength[3];
+    if (v3_dot(light->normal, light->normal) > 0.0) {
+        facing = fabs(v3_dot(light->normal, v3_normalize(d)));
+        if (fabs(v3_dot(light->normal, d)) <=
+            0.5 * rl_plane_rounding(light->normal, rl_plane_most(&Q, 1), P, unit))
+            return false;
+    }
     for (int c = 0; c < 3; c++)
-        incident->irradiance[c] = light->radiance[c] * (light->area * facing / r_r);
-    return true;
+        strength[c] = light->radiance[c] * (light->area * facing);
+    return arrive(incident, Q, P, strength);
 }
 
 struct sum {
@@ -134,7 +141,7 @@ void rl_effects_shade_within(const struct rl_effect *const *effects, size_t n,
         if (rl_incident_from_source(&incident, &lights->source[i], s->P))
             add_incident(&sum, &incident, RL_SEES_SOURCES);
     for (size_t i = 0; i < lights->n_points; i++)
-        if (rl_incident_from_centroid(&incident, &lights->point[i], s->P))
+        if (rl_incident_from_centroid(&incident, &lights->point[i], s->P, lights->unit))
             add_incident(&sum, &incident, RL_SEES_CENTROIDS);
     for (size_t i = 0; i < lights->n_areas; i++)
         add_area(&sum, &lights->area[i], i);

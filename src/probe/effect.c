@@ -140,7 +140,7 @@ static void round_row(float *to, const struct rl_probe *probe, const double *row
     double params[RL_EFFECT_PARAMS][4] = {{0.0}};
     size_t first = 3 * probe->n_vectors;
     for (size_t i = 0; i < first; i++)
-        to[i] = (float)row[i];
+        to[i] = rl_probe_single(row[i]);
     rl_probe_round_directions(to, probe, row);
     probe->effect->pack(rl_probe_effect_values(probe, row), params);
     for (int i = 0; i < 4 * probe->effect->n_params; i++)

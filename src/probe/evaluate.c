@@ -1,4 +1,5 @@
 /* Evaluates probes: checks rows, calls the C function or runs the GLSL one (see probe.h). */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,6 +61,11 @@ static void list_modules(struct rl_plan_program *program, const struct rl_probe 
     snprintf(program->module[program->n_modules++], RL_PLAN_MODULE_NAME, "passes/probe");
 }
 
+float rl_probe_single(double x)
+{
+    return fabs(x) > (double)FLT_MAX ? copysignf(FLT_MAX, (float)x) : (float)x;
+}
+
 void rl_probe_round_directions(float *to, const struct rl_probe *probe, const double *row)
 {
     for (size_t i = 0; i < probe->n_directions; i++) {
@@ -74,7 +80,7 @@ void rl_probe_round_directions(float *to, const struct rl_probe *probe, const do
 /* What rounding takes out of the column's range, such as pi/2, becomes the last number of single precision in it. */
 static float round_argument(const struct rl_probe_column *c, double x)
 {
-    float rounded = (float)x;
+    float rounded = rl_probe_single(x);
     if (c->low < c->high && (double)rounded > c->high)
         return nextafterf(rounded, -INFINITY);
     if (c->low < c->high && (double)rounded < c->low)

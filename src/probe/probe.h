@@ -73,6 +73,9 @@ void rl_probe_cpu(const struct rl_probe *probe, const double *rows, size_t n_row
 int rl_probe_gpu(const struct rl_probe *probe, struct rl_gpu *gpu, const double *rows, size_t n_rows,
                  double *results, struct rl_error *error);
 
+/* In single precision; beyond it, its largest number. */
+float rl_probe_single(double x);
+
 /* The directions that begin a row, in single precision. Its squares end at 1.8e19 and 1e-19: one whose largest component is beyond 1e-3
  * to 1e3 is scaled to about 1 first, by a power of two, so that nothing but the rounding to 24 bits is lost. */
 void rl_probe_round_directions(float *to, const struct rl_probe *probe, const double *row);

@@ -187,7 +187,7 @@ static const struct rl_probe probes[] = {
         .out = {"lx", "ly", "lz", "e"},
         .cpu = rl_probe_point_light,
         .modules = {"common/incident"},
-        .glsl = "    Incident light = incident(vec3(a[3], a[4], a[5]) - vec3(a[0], a[1], a[2]), vec3(1.0));\n"
+        .glsl = "    Incident light = incident(vec3(a[3], a[4], a[5]), vec3(a[0], a[1], a[2]), vec3(1.0));\n"
                 "    r = float[](light.L.x, light.L.y, light.L.z, light.irradiance.x);\n",
         .absolute = 1e-6,
         .relative = 1e-6,

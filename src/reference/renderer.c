@@ -83,19 +83,28 @@ static void highlight(struct rl_estimate *estimate, struct count *count, const s
     count->lines += estimate->evaluations;
 }
 
+/* In single precision. What is beyond it, near a light, is stored as its largest number, so that no pixel is infinite: then a value is a bound
+ * of what there is, and so is its error. NaN stays. */
+static float stored(double value)
+{
+    if (fabs(value) > (double)FLT_MAX)
+        return copysignf(FLT_MAX, (float)value);
+    return (float)value;
+}
+
 /* Writes a value, and how far off it may be: rounding to float is off by half a unit in the last place of either. */
 static void set_pixel(const struct rl_render_job *job, int x, int y, const double rgb[3],
                       const double error[3])
 {
     float *pixel = rl_image_pixel(job->image, x, y);
     for (int c = 0; c < 3; c++)
-        pixel[c] = (float)rgb[c];
+        pixel[c] = stored(rgb[c]);
     pixel[3] = 1.0f;
     if (!job->errors)
         return;
     float *off = rl_image_pixel(job->errors, x, y);
     for (int c = 0; c < 3; c++)
-        off[c] = (float)((1.0 + FLT_EPSILON) * (error[c] + 0.5 * FLT_EPSILON * fabs(rgb[c])));
+        off[c] = stored((1.0 + FLT_EPSILON) * (error[c] + 0.5 * FLT_EPSILON * fabs(rgb[c])));
     off[3] = 1.0f;
 }
 

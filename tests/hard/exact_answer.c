@@ -25,7 +25,8 @@ void exact_argument(mpfr_t to, const struct exact_function *f, size_t i, double 
         mpfr_prec_round(to, EXACT_SINGLE, MPFR_RNDN);
         mpfr_prec_round(to, EXACT_BITS, MPFR_RNDN);
     } else {
-        mpfr_set_flt(to, within(i < EXACT_RANGES ? &f->range[i] : NULL, (float)x), MPFR_RNDN);
+        float single = fabs(x) > (double)FLT_MAX ? copysignf(FLT_MAX, (float)x) : (float)x;
+        mpfr_set_flt(to, within(i < EXACT_RANGES ? &f->range[i] : NULL, single), MPFR_RNDN);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "model/photometry.h"
+#include "model/plane.h"
 #include "model/random.h"
 #include "scene/irradiance.h"
 #include "scene/scene_file.h"
@@ -232,7 +233,7 @@ static double as_point(const struct rl_scene *scene, rl_vec3 P)
 {
     struct rl_incident incident;
     struct rl_point_light point = rl_light_as_point(&scene->light[0]);
-    assert_true(rl_incident_from_centroid(&incident, &point, P));
+    assert_true(rl_incident_from_centroid(&incident, &point, P, RL_UNIT_DOUBLE));
     return incident.irradiance[0];
 }
 
