@@ -73,15 +73,18 @@ static void add_moves(const struct exact_function *f, mpfr_t in[], mpfr_t out[],
     mpfr_clear(kept);
 }
 
+/* The unit in the last place, down to that of denormal numbers; single precision has a wider bound there. */
+static double unit_of(double value, int bits)
+{
+    return value > 0.0 ? fmax(ldexp(1.0, ilogb(value) + 1 - bits), DBL_TRUE_MIN) : DBL_TRUE_MIN;
+}
+
 /* Of the answer y whose arguments move it by `moves`. */
 static double bound(double whole, mpfr_t y, mpfr_t moves, int bits)
 {
     double value = fabs(mpfr_get_d(y, MPFR_RNDN)), moved = 2.0 * mpfr_get_d(moves, MPFR_RNDU);
-    /* Down to the unit of denormal numbers; single precision has a wider bound there. */
-    double ulp = value > 0.0 ? fmax(ldexp(1.0, ilogb(value) + 1 - bits), DBL_TRUE_MIN) : DBL_TRUE_MIN;
-    double least =
-        fmax(8.0 * ulp, bits == EXACT_SINGLE ? fmax(1e-5 * value, 1e-6) : ldexp(whole, -EXACT_DOUBLE));
-    return fmax(least, moved);
+    double least = bits == EXACT_SINGLE ? fmax(1e-5 * value, 1e-6) : unit_of(whole, bits);
+    return fmax(fmax(8.0 * unit_of(value, bits), least), moved);
 }
 
 void exact_answer_init(struct exact_answer *a, const struct exact_function *f)
