@@ -3,5 +3,5 @@ layout(location = 0) out vec4 colour;
 
 void main()
 {
-    colour = vec4(shade_constants() + interpolated_radiance(), 1.0);
+    colour = vec4(min(shade_constants() + interpolated_radiance(), vec3(3.4028234e38)), 1.0);
 }

@@ -9,5 +9,5 @@ void main()
     vec3 rgb = shade_constants() + interpolated_radiance();
     if (dot(s.N, s.V) > 0.0)
         rgb += specular * highlight(s) * highlight_factor(s);
-    colour = vec4(rgb, 1.0);
+    colour = vec4(min(rgb, vec3(3.4028234e38)), 1.0);
 }

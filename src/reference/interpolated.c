@@ -24,6 +24,9 @@ static struct place place_of_triangle(const struct rl_mesh *mesh, size_t i)
     return place;
 }
 
+/* Of a vertex: in single precision as a shader has it, differences of more over a pixel's width would not be numbers. */
+static const double shading_most = 1e30;
+
 static void shade(double rgb[3], double error[3], const struct rl_interpolated_shading *shading,
                   const struct place *at, double side)
 {
@@ -34,8 +37,10 @@ static void shade(double rgb[3], double error[3], const struct rl_interpolated_s
     const struct rl_surface s = {at->P, v3_scale(side, at->N), v3_normalize(v3_sub(shading->eye, at->P))};
     double off[3];
     rl_effects_shade_within(shading->effect, shading->n_effects, shading->params, &s, &lights, rgb, off);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
+        rgb[c] = rgb[c] > shading_most ? shading_most : rgb[c]; /* NaN stays */
         error[c] = fmax(error[c], off[c]);
+    }
 }
 
 int rl_interpolated_make(struct rl_interpolated *interpolated, const struct rl_mesh *mesh,
