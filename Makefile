@@ -119,6 +119,8 @@ LIB_MODULES := libcyaml yaml-0.1 gsl sqlite3 assimp sleef
 HEADER_MODULES := osmesa egl
 NO_COMPILE := help clean uninstall setup format format-check fuzz
 GOALS := $(or $(MAKECMDGOALS),all)
+# A report by itself builds on all processors: nothing is timed before all is built.
+MAKEFLAGS += $(if $(filter-out report,$(GOALS)),,-j$(shell nproc))
 PURPOSES := build $(filter test report,$(patsubst hard%,test,$(GOALS))) $(if $(filter lint tidy cppcheck,$(GOALS)),lint test) \
 	$(if $(findstring clang,$(CC)),clang)
 ifneq ($(filter-out $(NO_COMPILE),$(GOALS)),)

@@ -49,7 +49,7 @@ static const struct grid grids[] = {
                        .width_of_speed_up = 160,
                        .height_of_speed_up = 120,
                        .rounds_of_speed_up = 14,
-                       .rounds_of_bar = 5,
+                       .rounds_of_bar = 0,
                        .kernel_seconds = 0.02,
                        .kernel_rounds = 6},
     [RL_GRID_DEFAULT] = {.points = 100,
