@@ -30,7 +30,7 @@ static void bands_are_of_no_picture_size(void **state)
     struct rl_bench bench = {0};
     struct rl_error error;
     for (int o = 0; o < 2; o++) {
-        struct rl_claim first[2] = {{0}};
+        struct rl_claim first[2] = {0};
         for (int w = 0; w < 3; w++) {
             struct rl_run run = {.study = "interpolation", .grid = "default"};
             for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
