@@ -124,14 +124,14 @@ static void test_plan(void **state)
         "part=images method=reference tolerance=0.001",
         "part=images method=reference tolerance=1e-08",
         "part=images method=exhaustive",
-        "part=images method=reference tolerance=1e-06 width=640 height=480",
         "part=kernel simd=plain threads=1",
+        "part=images method=reference tolerance=1e-06 width=640 height=480", /* not of the quick grid: it takes too long */
     };
     for (int grid = RL_GRID_QUICK; grid <= RL_GRID_FULL; grid++) {
         struct rl_run run = {.study = "accuracy"};
         assert_int_equal(study()->plan_alone(&run, &alone, (enum rl_grid)grid, 0, NULL), RL_OK);
         assert_int_equal(study()->plan(&run, &place, (enum rl_grid)grid, 3, NULL), RL_OK);
-        check_plan(&run, needed, sizeof needed / sizeof needed[0]);
+        check_plan(&run, needed, sizeof needed / sizeof needed[0] - (grid == RL_GRID_QUICK));
         for (size_t i = 0; i < rl_n_integrators; i++) {
             char pattern[80];
             snprintf(pattern, sizeof pattern, "part=points integrator=%s light=star",

@@ -150,7 +150,6 @@ check "nor of two more studies ($(unnumbered "$tmp/more/claims.tsv"))" [ -z "$(u
 check "and of a grid that is too small for some claims" [ -z "$(unnumbered "$tmp/few/claims.tsv" | grep -v '^only')" -a \
     "$(wc -l <"$tmp/few/claims.tsv")" -gt 1 ]
 check "it is said how many" grep -q "no number for [1-9][0-9]* claims, which are not in claims.tsv; the report's pages list them" "$tmp/stderr"
-check "an image of 640x480 to 1e-6 among them" [ "$(awk -F "$tab" '$1 ~ /640x480 to 1e-6/' "$tmp/tables/claims.tsv" | wc -l)" -eq 2 ]
 check "a row each case of samples" [ "$(wc -l <"$tmp/tables/samples.tsv")" -eq 91 ]
 check "a row each arm of fps" [ "$(wc -l <"$tmp/tables/fps.tsv")" -eq 72 ]
 check "and each cost model of the first scene" [ "$(wc -l <"$tmp/tables/fps_models.tsv")" -eq 16 ]
