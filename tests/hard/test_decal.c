@@ -2,11 +2,11 @@
  * beside it; in probes of both backends, by every integrator, and on a floor by every method. */
 #include "gpu/against_cpu.h"
 
-#include <unistd.h>
-
+#include "base/files.h"
 #include "model/random.h"
 #include "probe/probe.h"
 #include "reference/integrators.h"
+#include "support/temporary.h"
 
 enum { PLANES = 1000, TURNS = 12 };
 static const uint64_t seed = 20261130;
@@ -155,21 +155,23 @@ static void test_integrators(void **state)
 static void load(struct rl_scene *scene, uint64_t *index)
 {
     struct rl_error error;
-    char path[] = "/tmp/roughlight-decal-XXXXXX.yaml", turn[96];
+    struct temporary t = {0};
+    char path[PATH_MAX], text[1024], turn[96];
     snprintf(turn, sizeof turn, "rotate: [%.3f, %.3f, %.3f]", uniform(index, -25.0, 25.0),
              uniform(index, -25.0, 25.0), uniform(index, -25.0, 25.0));
-    int file = mkstemps(path, 5);
-    assert_true(file >= 0);
-    dprintf(
-        file,
+    int n = snprintf(
+        text, sizeof text,
         "film: {width: 32, height: 24}\ncamera: {position: [0, 4, 4], target: [0, 0, 0], field-of-view: 40}\n"
         "materials:\n  - {name: m, rr: 5, diffuse-area: [1, 1, 1], highlight: random}\n"
         "objects:\n  - {shape: plane, scale: 3, %s, material: m}\nrender: {culling: off}\n"
         "lights:\n  - {polygon: [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], %s, radiance: [1, 1, 1]}\n",
         turn, turn);
-    close(file);
+    assert_in_range(n, 1, sizeof text - 1);
+    temporary_make(&t);
+    temporary_path(&t, path, "decal.yaml");
+    check_ok(rl_file_write(path, text, (size_t)n, &error), &error);
     check_ok(rl_scene_load(scene, path, &error), &error);
-    unlink(path);
+    temporary_remove(&t);
 }
 
 static void check_dark(struct rl_image *image, const char *method, const char *where)
