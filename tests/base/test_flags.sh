@@ -3,20 +3,8 @@
 set -u
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
-passed=0
-failed=0
-
-check() {
-    name=$1
-    shift
-    if "$@" >"$tmp/log" 2>&1; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok - $name: $(head -c 400 "$tmp/log" | tr '\n' ' ')"
-    fi
-}
+# shellcheck source=tests/support/check.sh
+. tests/support/check.sh
 
 # Of GCC and clang: what loses NaN, infinity, the sign of zero, denormal numbers or the order of operations.
 fast='-(ffast-math|Ofast|funsafe-math-optimizations|ffinite-math-only|fassociative-math|freciprocal-math|fno-signed-zeros'
@@ -39,5 +27,4 @@ echo "cc -O2 -g -Ofast" >"$tmp/bad"
 seen() { ! without "$tmp/bad"; }
 check "a flag would be seen" seen
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

@@ -4,20 +4,8 @@ set -u
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 rl=$ROUGHLIGHT
-passed=0
-failed=0
-
-check() {
-    name=$1
-    shift
-    if "$@" >"$tmp/log" 2>&1; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok - $name: $(head -c 400 "$tmp/log" | tr '\n' ' ')"
-    fi
-}
+# shellcheck source=tests/support/check.sh
+. tests/support/check.sh
 
 header='n_h\tn_v\tn_l\tv_h\tg\tg_bound\tg_single\tg_single_bound\twhy'
 file=$tmp/attenuation.tsv
@@ -68,5 +56,4 @@ catalogue() {
 }
 check "the whole catalogue, in C" catalogue
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

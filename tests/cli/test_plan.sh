@@ -4,20 +4,8 @@ set -u
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 rl=$ROUGHLIGHT
-passed=0
-failed=0
-
-check() {
-    name=$1
-    shift
-    if "$@" >"$tmp/log" 2>&1; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok - $name: $(tail -c 400 "$tmp/log" | tr '\n' ' ')"
-    fi
-}
+# shellcheck source=tests/support/check.sh
+. tests/support/check.sh
 
 # plan SCENE OPTIONS...: the same as TSV and JSON, for python
 plan() {
@@ -181,5 +169,4 @@ PYTHON
 }
 check "of which material and object it is" dropped
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

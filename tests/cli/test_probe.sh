@@ -4,20 +4,8 @@ set -u
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 rl=$ROUGHLIGHT
-passed=0
-failed=0
-
-check() {
-    name=$1
-    shift
-    if "$@" >"$tmp/log" 2>&1; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok - $name: $(head -c 400 "$tmp/log" | tr '\n' ' ')"
-    fi
-}
+# shellcheck source=tests/support/check.sh
+. tests/support/check.sh
 
 # gives ROWS RESULT ARGUMENTS...: rows on stdin give just these rows on stdout
 gives() {
@@ -67,5 +55,4 @@ check "an unknown function" unknown
 listed() { "$rl" probe --help | grep -q '^    n_h n_v n_l v_h -> g$'; }
 check "--help lists columns" listed
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

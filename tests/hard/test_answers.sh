@@ -4,20 +4,8 @@ set -u
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 exact=$BUILD/tests/hard/exact
-passed=0
-failed=0
-
-check() {
-    name=$1
-    shift
-    if "$@" >"$tmp/log" 2>&1; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok - $name: $(head -c 400 "$tmp/log" | tr '\n' ' ')"
-    fi
-}
+# shellcheck source=tests/support/check.sh
+. tests/support/check.sh
 
 for file in tests/hard/*.tsv; do
     check "$file is current" "$exact" --check "$file"
@@ -58,5 +46,4 @@ check "no reason" refuses '1\t0.5\t' 'found nothing, expected why the row is har
 check "too few columns" refuses '1\t0.5' \
     'found another number of columns, expected the arguments and why, or these and the answers between them'
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

@@ -7,20 +7,8 @@ trap 'rm -rf "$tmp"' EXIT
 exact=$BUILD/tests/hard/exact
 rows=300
 seed=20261126
-passed=0
-failed=0
-
-check() {
-    name=$1
-    shift
-    if "$@" >"$tmp/log" 2>&1; then
-        passed=$((passed + 1))
-        echo "ok - $name"
-    else
-        failed=$((failed + 1))
-        echo "not ok - $name: $(head -c 800 "$tmp/log" | tr '\n' ' ')"
-    fi
-}
+# shellcheck source=tests/support/check.sh
+. tests/support/check.sh
 
 within() {
     "$exact" --random "$1" $rows $seed >"$tmp/${1##*/}" && "$ROUGHLIGHT" hard "$tmp/${1##*/}"
@@ -47,5 +35,4 @@ same() {
 }
 check "a seed's rows are always the same, another's are others" same
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary
